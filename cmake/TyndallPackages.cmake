@@ -1,0 +1,22 @@
+# Every outside library, found once. All of them are Debian 12 packages (see the list in ./tyndall).
+find_package(Threads REQUIRED)
+find_package(PkgConfig REQUIRED)
+find_package(Vulkan REQUIRED COMPONENTS glslangValidator)
+find_package(glm REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(SPIRV-Tools REQUIRED)
+find_package(SPIRV-Tools-opt REQUIRED)
+find_package(glslang REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(OpenEXR REQUIRED)
+pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
+
+# volk ships as one C file; it loads Vulkan at run time, so nothing links libvulkan.
+find_path(TYNDALL_VOLK_DIR volk.c REQUIRED)
+add_library(tyndall_volk STATIC ${TYNDALL_VOLK_DIR}/volk.c)
+target_include_directories(tyndall_volk SYSTEM PUBLIC ${TYNDALL_VOLK_DIR})
+target_compile_definitions(tyndall_volk PUBLIC VK_NO_PROTOTYPES)
+target_link_libraries(tyndall_volk PUBLIC Vulkan::Headers ${CMAKE_DL_LIBS})

@@ -1,0 +1,193 @@
+// A level as plain data: no Vulkan, no glTF. Metres, radians, seconds; right-handed, +Y up; cameras and lights look
+// down -Z of their node (docs/conventions.md). Everything an importer hands out is valid: every index is in range,
+// every number finite, every triangle list a multiple of three (checkScene says so, and the importer calls it).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace tyndall::scene {
+
+inline constexpr std::int32_t kNone = -1;
+
+struct Vertex {
+  glm::vec3 position{0};
+  glm::vec3 normal{0, 0, 1};     ///< unit length
+  glm::vec4 tangent{1, 0, 0, 1}; ///< xyz unit length, w = handedness (+1 or -1)
+  glm::vec2 uv{0};
+  glm::vec4 color{1};            ///< linear, multiplies the base colour
+};
+
+/// Axis-aligned box; empty when min > max.
+struct Bounds {
+  glm::vec3 min{1e30f};
+  glm::vec3 max{-1e30f};
+  bool empty() const { return min.x > max.x; }
+  void add(const glm::vec3& p) { min = glm::min(min, p); max = glm::max(max, p); }
+  void add(const Bounds& b) { if (!b.empty()) { add(b.min); add(b.max); } }
+};
+
+/// A triangle list with one material.
+struct Primitive {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;  ///< three per triangle
+  std::int32_t material = kNone;       ///< index into Scene::materials; kNone: the glTF default material
+  Bounds bounds;                       ///< of the vertices, in the mesh's space
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Primitive> primitives;
+};
+
+enum class Filter { kNearest, kLinear };
+enum class Wrap { kRepeat, kClampToEdge, kMirroredRepeat };
+
+struct Sampler {
+  Filter magnify = Filter::kLinear;
+  Filter minify = Filter::kLinear;
+  Filter mipmap = Filter::kLinear;
+  bool useMipmaps = true;
+  Wrap wrapU = Wrap::kRepeat;
+  Wrap wrapV = Wrap::kRepeat;
+};
+
+/// 8-bit RGBA, row 0 on top, width*height*4 bytes.
+struct Image {
+  std::string name;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+struct Texture {
+  std::int32_t image = kNone;
+  Sampler sampler;
+};
+
+/// uv' = offset + rotation(scale * uv), KHR_texture_transform; identity by default.
+struct TextureUse {
+  std::int32_t texture = kNone;
+  glm::vec2 offset{0};
+  glm::vec2 scale{1};
+  float rotation = 0;
+  bool used() const { return texture != kNone; }
+};
+
+enum class AlphaMode { kOpaque, kMask, kBlend };
+
+/// glTF metallic-roughness. Colours are linear factors; base colour and emissive images are sRGB-coded.
+struct Material {
+  std::string name;
+  glm::vec4 baseColor{1};
+  float metallic = 1;
+  float roughness = 1;
+  glm::vec3 emissive{0};         ///< radiance-like factor, KHR_materials_emissive_strength already applied
+  float normalScale = 1;
+  float occlusionStrength = 1;
+  float alphaCutoff = 0.5f;
+  AlphaMode alphaMode = AlphaMode::kOpaque;
+  bool doubleSided = false;
+  bool unlit = false;
+  TextureUse baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
+};
+
+struct Node {
+  std::string name;
+  std::int32_t parent = kNone;   ///< always smaller than the node's own index (parents come first)
+  glm::vec3 translation{0};
+  glm::quat rotation{1, 0, 0, 0};
+  glm::vec3 scale{1};
+  std::optional<glm::mat4> matrix;  ///< set when the file gave a matrix; then TRS is not used
+  std::int32_t mesh = kNone;
+  std::int32_t camera = kNone;
+  std::int32_t light = kNone;
+};
+
+/// A perspective camera.
+struct Camera {
+  std::string name;
+  float yfov = 0.9f;                 ///< vertical field of view, radians, (0, pi)
+  float znear = 0.1f;                ///< metres, > 0
+  std::optional<float> zfar;         ///< metres, > znear; absent: 1000 m (kDefaultFar)
+};
+inline constexpr float kDefaultFar = 1000.0f;
+
+enum class LightKind { kDirectional, kSpot, kPoint };
+
+/// KHR_lights_punctual. Directional: intensity in lux; spot and point: candela.
+struct Light {
+  std::string name;
+  LightKind kind = LightKind::kDirectional;
+  glm::vec3 color{1};
+  float intensity = 1;
+  std::optional<float> range;        ///< metres; absent: infinite
+  float innerConeAngle = 0;          ///< radians, half angle
+  float outerConeAngle = 0.7853982f;
+};
+
+enum class AnimationTarget { kTranslation, kRotation, kScale };
+enum class Interpolation { kStep, kLinear, kCubicSpline };
+
+struct AnimationChannel {
+  std::int32_t node = kNone;
+  AnimationTarget target = AnimationTarget::kTranslation;
+  Interpolation interpolation = Interpolation::kLinear;
+  std::vector<float> times;        ///< seconds, strictly increasing
+  std::vector<glm::vec4> values;   ///< one per time; three (in-tangent, value, out-tangent) per time for cubic splines; quaternions are x,y,z,w
+};
+
+struct Animation {
+  std::string name;
+  float duration = 0;
+  std::vector<AnimationChannel> channels;
+};
+
+struct Scene {
+  std::string name;
+  std::vector<Node> nodes;           ///< parents before children; only nodes of the default scene
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<Image> images;
+  std::vector<Camera> cameras;
+  std::vector<Light> lights;
+  std::vector<Animation> animations;
+};
+
+/// World matrix of every node, at `seconds` of all animations (looped by their duration). Size: nodes.size().
+std::vector<glm::mat4> worldMatrices(const Scene& scene, double seconds);
+
+/// Bounds of all mesh instances in world space.
+Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& worldFromNode);
+
+/// A camera placed in the world.
+struct CameraView {
+  glm::mat4 worldFromView{1};   ///< rigid (scale of the node removed), the view looks down -Z
+  Camera camera;
+  std::string name;
+};
+/// All perspective cameras in node order.
+std::vector<CameraView> placedCameras(const Scene& scene, const std::vector<glm::mat4>& worldFromNode);
+
+/// A camera that frames `bounds` from a raised three-quarter view; used when a file has none.
+CameraView framingCamera(const Bounds& bounds);
+
+/// A light placed in the world. Shining direction is -Z of the node.
+struct LightView {
+  Light light;
+  glm::vec3 position{0};
+  glm::vec3 direction{0, -1, 0};  ///< unit; direction in which the light travels
+  std::int32_t node = kNone;      ///< kNone for the default sun
+};
+std::vector<LightView> placedLights(const Scene& scene, const std::vector<glm::mat4>& worldFromNode);
+
+/// The sun that a file without lights gets.
+LightView defaultSun();
+
+}  // namespace tyndall::scene
