@@ -1,0 +1,164 @@
+// A Vulkan 1.3 device: choice, memory, frames, deferred destruction. Headless; a window system is the caller's business
+// (editor), which hands in instance extensions. volk loads Vulkan, so a machine without it gets an error, not a link failure.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <volk.h>
+
+#include "base/result.hpp"
+
+namespace tyndall::gpu {
+
+struct DeviceOptions {
+  std::string name;             ///< part of a device name, case-insensitive, or an index; empty: $TYNDALL_DEVICE, else the best (discrete, integrated, CPU)
+  bool validation = false;      ///< validation layer with synchronization validation; its absence is an error
+  bool window = false;          ///< enables VK_KHR_swapchain
+  std::vector<std::string> instanceExtensions;
+};
+
+struct DeviceInfo {
+  std::string name;             ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string driver;           ///< "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
+  bool isCpu = false;
+  std::uint32_t subgroupSize = 0;
+  VkPhysicalDeviceLimits limits{};
+  std::uint32_t maxPushDescriptors = 0;
+  double timestampPeriodNs = 0;
+};
+
+class Allocator;
+struct Allocation {             ///< a range of one of the allocator's blocks
+  VkDeviceMemory memory = VK_NULL_HANDLE;
+  VkDeviceSize offset = 0, size = 0;
+  std::byte* mapped = nullptr;  ///< host address, or null
+  std::uint32_t block = ~0u;
+};
+
+struct ImageDesc {
+  std::string name;             ///< debug name
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  std::uint32_t width = 1, height = 1, depth = 1, layers = 1, mips = 1;
+  VkImageType type = VK_IMAGE_TYPE_2D;
+  VkImageUsageFlags usage = 0;
+  bool operator==(const ImageDesc&) const = default;
+};
+
+/// Part of an image; counts of 0 mean "all from the base". `array` asks for an array view even of one layer.
+struct ViewDesc {
+  std::uint32_t baseMip = 0, mipCount = 0, baseLayer = 0, layerCount = 0;
+  bool array = false;
+  bool operator==(const ViewDesc&) const = default;
+};
+
+class Device;
+
+/// A move-only image with its memory and views. Destroyed only after the GPU has finished the frames that may use it.
+class Image {
+ public:
+  Image() = default;
+  Image(Image&&) noexcept;
+  Image& operator=(Image&&) noexcept;
+  ~Image();
+  explicit operator bool() const { return state_ != nullptr; }
+  VkImage handle() const;
+  const ImageDesc& desc() const;
+  VkImageAspectFlags aspect() const;
+  VkImageView view(const ViewDesc& desc = {}) const;  ///< cached
+  VkDeviceSize bytes() const;
+  struct State;
+ private:
+  friend class Device;
+  std::unique_ptr<State> state_;
+};
+
+struct BufferDesc {
+  std::string name;
+  VkDeviceSize size = 0;
+  VkBufferUsageFlags usage = 0;
+  bool hostVisible = false;     ///< persistently mapped
+};
+
+class Buffer {
+ public:
+  Buffer() = default;
+  Buffer(Buffer&&) noexcept;
+  Buffer& operator=(Buffer&&) noexcept;
+  ~Buffer();
+  explicit operator bool() const { return state_ != nullptr; }
+  VkBuffer handle() const;
+  VkDeviceSize size() const;
+  std::byte* mapped() const;    ///< null unless hostVisible
+  struct State;
+ private:
+  friend class Device;
+  std::unique_ptr<State> state_;
+};
+
+/// One device for the program. Not thread-safe: one thread owns it.
+class Device {
+ public:
+  static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
+  ~Device();
+
+  const DeviceInfo& info() const;
+  VkInstance instance() const;
+  VkPhysicalDevice physical() const;
+  VkDevice handle() const;
+  VkQueue queue() const;
+  std::uint32_t queueFamily() const;
+  VkPipelineCache pipelineCache() const;
+
+  Result<Image> createImage(const ImageDesc& desc);
+  Result<Buffer> createBuffer(const BufferDesc& desc);
+  /// Memory that several transient images and buffers share in turn (the render graph's aliasing).
+  VkMemoryRequirements requirements(const ImageDesc& desc);
+  VkMemoryRequirements requirements(const BufferDesc& desc);
+  Result<std::shared_ptr<Allocation>> allocate(const VkMemoryRequirements& requirements, const std::string& name);
+  Result<Image> createImageAt(const ImageDesc& desc, std::shared_ptr<Allocation> memory, VkDeviceSize offset);
+  Result<Buffer> createBufferAt(const BufferDesc& desc, std::shared_ptr<Allocation> memory, VkDeviceSize offset);
+
+  VkSampler sampler(const VkSamplerCreateInfo& info);  ///< cached for the device's life
+
+  /// Records and submits one command buffer and waits for it. For uploads, readback, tests.
+  Result<void> submitAndWait(const std::function<void(VkCommandBuffer)>& record);
+  /// Frame loop: at most two frames in flight; begin waits for the slot and frees what was deferred for it.
+  Result<VkCommandBuffer> beginFrame();
+  struct Signals { VkSemaphore wait = VK_NULL_HANDLE; VkPipelineStageFlags2 waitStage = 0; VkSemaphore signal = VK_NULL_HANDLE; };
+  Result<void> endFrame(const Signals& signals = {});
+  std::uint64_t submittedFrames() const;  ///< value of the timeline semaphore once the last submitted frame is done
+  Result<void> waitIdle();
+
+  /// Copies into an image (every layer and mip given, tightly packed) or buffer; into a buffer the host reads.
+  Result<void> upload(Image& image, std::span<const std::byte> texels, std::uint32_t mip = 0, std::uint32_t layer = 0);
+  Result<void> upload(Buffer& buffer, std::span<const std::byte> bytes, VkDeviceSize offset = 0);
+  /// The image must be in `layout`; it is returned to it. Tightly packed rows.
+  Result<std::vector<std::byte>> readback(const Image& image, VkImageLayout layout, std::uint32_t mip = 0, std::uint32_t layer = 0);
+  Result<std::vector<std::byte>> readback(const Buffer& buffer);
+
+  VkDeviceSize allocatedBytes() const;    ///< in use by images and buffers, without the blocks' free space
+  std::uint32_t validationMessages() const;  ///< warnings and errors so far (also printed)
+  void setName(VkObjectType type, std::uint64_t handle, const std::string& name);
+
+  struct State;
+  State& state() { return *state_; }
+ private:
+  Device() = default;
+  std::unique_ptr<State> state_;
+};
+
+/// Bytes of one texel of the formats the engine uses; 0 for others.
+std::uint32_t texelBytes(VkFormat format);
+
+/// Full barrier between everything before and everything after.
+void fullBarrier(VkCommandBuffer commands);
+/// Moves a whole image between layouts with a full barrier; for uploads and tests, the graph derives its own.
+void transition(VkCommandBuffer commands, const Image& image, VkImageLayout from, VkImageLayout to);
+
+}  // namespace tyndall::gpu

@@ -1,0 +1,80 @@
+// Loads plugins and turns their tables into passes of the render graph. dlopen appears in this room only.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "gpu/device.hpp"
+#include "params/params.hpp"
+#include "render/frame.hpp"
+
+namespace tyndall::host {
+
+struct TechniqueInfo { std::string id, name, doc; std::vector<std::string> reads; };
+struct PluginDebugView { std::string name, doc; };
+
+/// A loaded plugin: library, tables (copied), instance.
+class Plugin {
+ public:
+  /// Loads a uniquely named copy of `library` (so that a rebuilt one can be loaded beside it), checks the ABI version before
+  /// anything else, calls init and create. Errors: missing file, not a shared library, no entry symbol, another ABI version
+  /// (both are named), a duplicate or malformed parameter table, init or create failed.
+  static Result<std::unique_ptr<Plugin>> load(const std::filesystem::path& library);
+  ~Plugin();   ///< destroy, shutdown, unload, remove the copy
+
+  const std::string& id() const;
+  const std::string& name() const;
+  const std::string& version() const;
+  const std::string& doc() const;
+  const std::filesystem::path& path() const;   ///< the original, not the copy
+  const std::vector<params::Parameter>& parameters() const;
+  const std::vector<TechniqueInfo>& techniques() const;
+  std::uint32_t selector() const;              ///< index of the parameter that chooses the technique, or TY_NONE
+  bool fileChanged() const;                    ///< the original was rebuilt since it was loaded
+
+  struct State;
+  State& state() { return *state_; }
+ private:
+  Plugin() = default;
+  std::unique_ptr<State> state_;
+};
+
+/// Every <folder>/*.so in name order. A plugin that cannot be loaded is one Error; the others are loaded all the same.
+struct PluginSet {
+  std::vector<std::unique_ptr<Plugin>> plugins;
+  std::vector<Error> errors;
+};
+PluginSet loadPlugins(const std::filesystem::path& folder);
+
+/// Runs one plugin as an Effect of the renderer: keeps layout, pipelines and history images, remakes them when the structure
+/// changes, fills uniforms, adds the passes.
+class PluginEffect : public render::Effect {
+ public:
+  /// `table` holds the plugin's parameters (added by the caller); values are read from it each frame.
+  static Result<std::unique_ptr<PluginEffect>> create(gpu::Device& device, Plugin& plugin, const params::Table& table);
+  ~PluginEffect() override;
+
+  Result<render::ImageRef> addPasses(const render::EffectInput& input) override;
+  DebugImage debugImage(const std::string& name) override;
+
+  /// Debug views of the current layout (after the first addPasses), or of a layout made for `values` without running.
+  std::vector<PluginDebugView> debugViews() const;
+  /// Counters of the last finished frame by name (TyCounters), e.g. skipped work by reason.
+  std::vector<std::pair<std::string, std::uint64_t>> counters() const;
+  /// What a tunable parameter resolved to ("volumetrics.prefix_scheme", "row"), measured or asked for.
+  std::vector<std::pair<std::string, std::string>> resolved() const;
+  /// Call once per finished frame with its pass times: feeds the tuner of speed-only variants.
+  void frameFinished(const std::vector<render::PassTime>& passes);
+  std::vector<std::string> reloadShaders();
+  std::uint64_t memoryBytes() const;   ///< images and buffers of the current layout, each on its own
+
+  struct State;
+ private:
+  PluginEffect() = default;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tyndall::host

@@ -1,0 +1,117 @@
+// The deferred frame: G-buffer, shadow maps, lighting, sky, transparent surfaces, volumetrics (through an Effect), tone map.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "base/result.hpp"
+#include "gpu/device.hpp"
+#include "render/graph.hpp"
+#include "scene/scene.hpp"
+
+namespace tyndall::render {
+
+/// The camera as matrices. Reversed depth: 1 at znear, 0 at zfar.
+struct View {
+  std::uint32_t width = 0, height = 0;
+  glm::mat4 viewFromWorld{1}, worldFromView{1}, clipFromView{1}, viewFromClip{1};
+  glm::vec3 eye{0};
+  float znear = 0.1f, zfar = 1000.0f;
+  double seconds = 0;
+  std::uint64_t frameIndex = 0;
+};
+View makeView(const scene::CameraView& camera, std::uint32_t width, std::uint32_t height);
+
+/// A light with its shadow map, as effects see it. Depth stored: 0 nearest the light, 1 where nothing was drawn.
+struct ShadowedLight {
+  scene::LightView light;
+  ImageRef shadowMap;                       ///< D32 array image of this light's own: 1 layer, 6 for a point light
+  std::uint32_t faceCount = 1;
+  std::uint32_t size = 0;                   ///< texels a side
+  std::array<glm::mat4, 6> clipFromWorld{}; ///< of each face
+  std::array<glm::vec3, 8> casterCorners{}; ///< corners of the box of all casters, world space
+};
+
+/// What an effect (the plugin host) is given while the graph is built.
+struct EffectInput {
+  Graph& graph;
+  const View& view;
+  ImageRef depth;                           ///< D32, reversed
+  const std::vector<ShadowedLight>& lights; ///< only lights that have shadow maps
+  bool reset = false;                       ///< a cut: history is worthless
+  /// Draws all shadow casters with push constant 0: mat4 clipFromWorld (caster passes); see ShadowStage.
+};
+
+/// Something that computes in-scattered radiance and transmittance between eye and surface.
+class Effect {
+ public:
+  virtual ~Effect() = default;
+  /// Adds passes and returns an RGBA32F image (RGB scatter, A transmittance) of the view's size, or an empty ref when there
+  /// is nothing to do (scatter 0, transmittance 1).
+  virtual Result<ImageRef> addPasses(const EffectInput& input) = 0;
+  /// An image to show instead of the picture for this debug view, or empty if the view is not the effect's.
+  struct DebugImage { ImageRef image; gpu::ViewDesc view{}; std::uint32_t channel = 4; float low = 0, high = 1; };
+  virtual DebugImage debugImage(const std::string& name) = 0;
+};
+
+struct FrameSettings {
+  float exposure = 1;                 ///< linear factor before the tone map
+  std::uint32_t shadowResolution = 2048;
+  std::string debugView;              ///< "" = the picture; engine views: see debugViews()
+};
+
+struct FrameOutput {
+  ImageRef picture;                   ///< RGBA8 unorm, sRGB-coded
+  ImageRef scatter;                   ///< RGBA32F, empty when the effect had nothing to do
+  ImageRef depth;                     ///< D32, reversed
+};
+
+/// Name and help of each of the engine's own debug views ("depth", "normal", "base_color", "shadow_map", ...).
+struct DebugViewInfo { std::string name, doc; };
+
+class Renderer {
+ public:
+  /// `shaderFolder` holds the engine's .spv files.
+  static Result<std::unique_ptr<Renderer>> create(gpu::Device& device, const std::filesystem::path& shaderFolder);
+  ~Renderer();
+
+  /// Uploads a level (replacing the last one). Errors: lack of memory, an image larger than the device takes.
+  Result<void> setScene(const scene::Scene& scene);
+
+  struct Input {
+    const scene::Scene& scene;                    ///< the one given to setScene
+    std::vector<glm::mat4> worldFromNode;
+    scene::CameraView camera;
+    std::vector<scene::LightView> lights;
+    std::uint32_t width = 1280, height = 720;
+    double seconds = 0;
+    std::uint64_t frameIndex = 0;
+    bool reset = false;
+    FrameSettings settings;
+    Effect* effect = nullptr;
+  };
+  /// Declares the whole frame in `graph`. The caller adds readback or presentation passes, compiles and records.
+  Result<FrameOutput> addFrame(Graph& graph, const Input& input);
+
+  /// Adds a pass that writes the distance along each pixel's ray (metres, R32F) from the depth.
+  ImageRef addDistance(Graph& graph, const View& view, ImageRef depth);
+
+  /// Recompiles changed shaders; a broken one keeps its last good pipeline. Returns one line per shader changed or broken.
+  std::vector<std::string> reloadShaders();
+
+  static std::vector<DebugViewInfo> debugViews();
+  /// Lights that got no shadow map in the last frame, with the reason, one line each.
+  const std::vector<std::string>& notes() const;
+
+  struct State;
+ private:
+  Renderer() = default;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tyndall::render
