@@ -57,6 +57,13 @@ struct ViewDesc {
   bool operator==(const ViewDesc&) const = default;
 };
 
+/// Binary semaphores around a frame's submission (window system).
+struct FrameSignals {
+  VkSemaphore wait = VK_NULL_HANDLE;
+  VkPipelineStageFlags2 waitStage = 0;
+  VkSemaphore signal = VK_NULL_HANDLE;
+};
+
 class Device;
 
 /// A move-only image with its memory and views. Destroyed only after the GPU has finished the frames that may use it.
@@ -130,8 +137,7 @@ class Device {
   Result<void> submitAndWait(const std::function<void(VkCommandBuffer)>& record);
   /// Frame loop: at most two frames in flight; begin waits for the slot and frees what was deferred for it.
   Result<VkCommandBuffer> beginFrame();
-  struct Signals { VkSemaphore wait = VK_NULL_HANDLE; VkPipelineStageFlags2 waitStage = 0; VkSemaphore signal = VK_NULL_HANDLE; };
-  Result<void> endFrame(const Signals& signals = {});
+  Result<void> endFrame(const FrameSignals& signals = {});
   std::uint64_t submittedFrames() const;  ///< value of the timeline semaphore once the last submitted frame is done
   Result<void> waitIdle();
 

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,7 +46,9 @@ struct EffectInput {
   ImageRef depth;                           ///< D32, reversed
   const std::vector<ShadowedLight>& lights; ///< only lights that have shadow maps
   bool reset = false;                       ///< a cut: history is worthless
-  /// Draws all shadow casters with push constant 0: mat4 clipFromWorld (caster passes); see ShadowStage.
+  /// Draws all shadow casters (alpha-tested where needed) inside a caster pass's rendering: every vertex is transformed by
+  /// `clipFromWorld` alone; depth clamp on, both faces, depth as the rendering's target says. Null when not offered.
+  std::function<void(PassContext&, const glm::mat4& clipFromWorld)> drawCasters;
 };
 
 /// Something that computes in-scattered radiance and transmittance between eye and surface.
