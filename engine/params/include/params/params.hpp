@@ -2,13 +2,12 @@
 // documentation. Holds the engine's own parameters and, behind the same interface, every loaded plugin's.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "base/result.hpp"
@@ -48,8 +47,9 @@ class Table {
  public:
   /// Adds parameters; ids must be new (a duplicate is a failed Result naming it).
   Result<void> add(std::vector<Parameter> parameters);
-  /// Removes every parameter of `owner`; their values are remembered and come back when the same ids are added again
-  /// (a reloaded plugin keeps its values; one that no longer passes the checks becomes the default, with a log line).
+  /// Removes every parameter of `owner`; values that were set or differ from their default are remembered (as text: an
+  /// enum's choices may be renumbered) and come back when the same ids are added again, so that a reloaded plugin keeps
+  /// its values; one that no longer passes the checks becomes the default, with a log line.
   void remove(std::string_view owner);
 
   std::span<const Parameter> parameters() const { return parameters_; }
@@ -65,15 +65,21 @@ class Table {
   std::vector<std::string> assigned() const;
 
   /// Preset: a JSON object {"id": value, ...}, also nested under "settings"; numbers, booleans and strings. All or
-  /// nothing: on an error no value changes. `source` names the file in errors.
+  /// nothing: on an error no value changes. `source` names the file in errors. Malformed JSON is ErrorKind::kFailed;
+  /// an unknown or repeated id or a refused value is kBadCall.
   Result<void> readPreset(std::string_view json, std::string_view source);
   std::string writePreset(bool changedOnly) const;
 
  private:
+  struct Remembered { std::string text; bool assigned = false; };
+  std::optional<std::size_t> indexOf(std::string_view id) const;
+  Error unknownId(std::string_view id) const;
+
   std::vector<Parameter> parameters_;
   std::vector<double> values_;
   std::vector<bool> assigned_;
-  std::map<std::string, double, std::less<>> remembered_;
+  std::map<std::string, std::size_t, std::less<>> index_;  ///< id -> place in the vectors above
+  std::map<std::string, Remembered, std::less<>> remembered_;
 };
 
 /// The engine's own: shadows.mode, shadows.resolution, shadows.precision, view.exposure.

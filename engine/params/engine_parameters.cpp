@@ -1,0 +1,51 @@
+// The engine's own parameters; a plugin's come from its table (plugins/abi).
+#include "params/params.hpp"
+
+namespace tyndall::params {
+
+std::vector<Parameter> engineParameters() {
+  Parameter mode;
+  mode.id = "shadows.mode";
+  mode.name = "Shadow filtering";
+  mode.doc = "How shadow maps are filtered when surfaces are lit.";
+  mode.type = Type::kEnum;
+  mode.choices = {"pcf", "moments", "soft", "variance", "exponential_variance"};
+  mode.built = {true, false, false, false, false};
+
+  Parameter resolution;
+  resolution.id = "shadows.resolution";
+  resolution.name = "Shadow map size";
+  resolution.unit = "texels";
+  resolution.doc = "Texels a side of each shadow map, and of each face of a point light's cube map.";
+  resolution.type = Type::kInt;
+  resolution.defaultValue = 2048;
+  // 64: coarser maps show nothing but blocks. 8192: 256 MiB of D32, the largest that a 2D image is sure to be good for.
+  resolution.min = resolution.builtMin = 64;
+  resolution.max = resolution.builtMax = 8192;
+  resolution.structural = true;
+  resolution.logarithmic = true;
+
+  Parameter precision;
+  precision.id = "shadows.precision";
+  precision.name = "Moment precision";
+  precision.unit = "bit";
+  precision.doc = "Bits per texel of moment shadow maps; read by shadows.mode = moments only.";
+  precision.type = Type::kEnum;
+  precision.choices = {"64", "128"};
+
+  Parameter exposure;
+  exposure.id = "view.exposure";
+  exposure.name = "Exposure";
+  exposure.doc = "Linear factor on radiance before the tone map.";
+  exposure.type = Type::kFloat;
+  exposure.defaultValue = 1;
+  exposure.min = exposure.builtMin = 1e-4;
+  exposure.max = exposure.builtMax = 1e4;
+  exposure.logarithmic = true;
+
+  std::vector<Parameter> all = {mode, resolution, precision, exposure};
+  for (Parameter& p : all) p.owner = "engine";
+  return all;
+}
+
+}  // namespace tyndall::params
