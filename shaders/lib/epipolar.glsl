@@ -1,0 +1,60 @@
+// The epipolar frame (Peters et al. 2017, section 5.1.1; Baran et al. 2010): O is the eye, `a` the unit vector from the eye
+// towards the light. Of a point q: slice azimuth phi about a, inclination theta between q-O and a, and for a directional
+// light the column c = t sin(theta), the distance from the axis. theta is constant along a view ray and grows along a light ray.
+// Peters counts the inclination from the other end (pi - theta); theta is used so that "depth" grows away from the light.
+
+// Inclination of the point at distance c >= 0 from the axis and height s along it. Range [0, pi].
+LIB Real inclination(Real c, Real s) { return atan(c, s); }
+
+// Normalised depth in [0, 1] of an inclination, clamped to the map's range (a guard band is part of the range).
+LIB Real normalisedInclination(Real theta, Real thetaMin, Real thetaMax) {
+  return clamp((theta - thetaMin) / (thetaMax - thetaMin), R(0.0), R(1.0));
+}
+
+// The part of t in [0, 1e30) of the planar ray p = t * d (d unit) that lies inside the half-plane n.p <= h, applied to the
+// interval (first, last). An empty interval comes back with last < first.
+LIB Real2 clipToHalfPlane(Real2 interval, Real along, Real h) {
+  if (abs(along) < R(1e-12)) {
+    return h >= R(0.0) ? interval : Real2(R(1.0), R(0.0));
+  }
+  Real t = h / along;
+  return along > R(0.0) ? Real2(interval.x, min(interval.y, t)) : Real2(max(interval.x, t), interval.y);
+}
+
+// Inclinations theta in [lo, hi] for which A cos(theta) + B sin(theta) >= 0, intersected with `interval` (inside [0, pi]). One
+// side plane of the frustum cuts a slice there: A = n.a, B = n.(cos(phi) e1 + sin(phi) e2).
+// The arc is one interval of length pi about atan2(B, A); inside [0, pi] it stays one interval.
+LIB Real2 clipToFrustumPlane(Real2 interval, Real A, Real B) {
+  Real centre = atan(B, A);
+  const Real halfPi = R(1.5707963267948966);
+  return Real2(max(interval.x, centre - halfPi), min(interval.y, centre + halfPi));
+}
+
+// The k-th of `count` Chebyshev nodes on [-1, 1], cos((2k+1) pi / (2 count)).
+LIB Real chebyshevNode(int k, int count) {
+  return cos(R(3.14159265358979324) * (R(2.0) * Real(k) + R(1.0)) / (R(2.0) * Real(count)));
+}
+
+// Lagrange weight of node k at x for `count` Chebyshev nodes on [-1, 1]. The weights of all k sum to 1.
+LIB Real chebyshevLagrange(int k, int count, Real x) {
+  Real own = chebyshevNode(k, count);
+  Real weight = R(1.0);
+  for (int j = 0; j < count; ++j) {
+    if (j != k) {
+      Real other = chebyshevNode(j, count);
+      weight *= (x - other) / (own - other);
+    }
+  }
+  return weight;
+}
+
+// Coordinate in which the reference inclinations are spread, for a directional light: the weights depend on theta through
+// 1/sin(theta) only. Floored at 0.02 rad: below it the whole slice is nearer to the epipole than a pixel.
+LIB Real referenceCoordinate(Real theta) { return log(max(sin(theta), R(0.02))); }
+
+// Share that column u adds to the running normalised average of columns 0..u, for weights exp(-u x) (1 - exp(-x)):
+// w_u / sum_{j<=u} w_j, with x = sigma_t * column width / sin(theta) >= 0. For x = 0: 1/(u+1).
+LIB Real runningWeight(Real u, Real x) {
+  Real n = u + R(1.0);
+  return x * n < R(1e-4) ? (R(1.0) - R(0.5) * x * u) / n : exp(-u * x) * oneMinusExp(x) / oneMinusExp(n * x);
+}
