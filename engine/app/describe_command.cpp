@@ -1,0 +1,83 @@
+// tyndall describe: plugins, techniques, parameters, debug views. Works without a GPU, but for the plugin's debug views.
+#include <algorithm>
+
+#include "app/session.hpp"
+#include "commands.hpp"
+#include "settings.hpp"
+#include "stats.hpp"
+
+namespace tyndall::app {
+namespace {
+
+/// Views of the engine, then those of every technique of the effect. Without a device the latter are left out with a note.
+std::vector<DebugViewText> debugViews(std::unique_ptr<Catalogue>& catalogue, const std::string& deviceName, std::vector<std::string>& notes) {
+  std::vector<DebugViewText> views;
+  for (const render::DebugViewInfo& view : render::Renderer::debugViews()) views.push_back({view.name, "engine", view.doc});
+  gpu::DeviceOptions options;
+  options.name = deviceName;
+  auto device = gpu::Device::create(options);
+  if (!device) {
+    notes.push_back("the plugin's debug views are left out: " + device.error().message);
+    return views;
+  }
+  host::Plugin& plugin = catalogue->effectPlugin();
+  params::Table& table = catalogue->table();
+  auto effect = host::PluginEffect::create(**device, plugin, table);
+  if (!effect) {
+    notes.push_back("the plugin's debug views are left out: " + effect.error().message);
+    return views;
+  }
+  const auto add = [&] {
+    for (const host::PluginDebugView& view : (*effect)->debugViews()) {
+      const auto same = [&](const DebugViewText& other) { return other.name == view.name; };
+      if (std::none_of(views.begin(), views.end(), same)) views.push_back({view.name, plugin.id(), view.doc});
+    }
+  };
+  add();
+  if (plugin.selector() >= plugin.parameters().size()) return views;
+  const std::string selector = plugin.parameters()[plugin.selector()].id;
+  const double before = table.value(selector);
+  for (const host::TechniqueInfo& technique : plugin.techniques())
+    if (table.setText(selector, technique.id)) add();
+  (void)table.set(selector, before);  // it was a value of this table a moment ago
+  return views;
+}
+
+std::string range(const params::Parameter& p) {
+  if (p.type == params::Type::kBool) return "true, false";
+  if (p.type != params::Type::kEnum) return params::toText(p, p.min) + " to " + params::toText(p, p.max);
+  std::string text;
+  for (std::size_t i = 0; i < p.choices.size(); ++i)
+    text += (i ? ", " : "") + p.choices[i] + (i < p.built.size() && !p.built[i] ? " (not built yet)" : "");
+  return text;
+}
+
+std::string describeText(const Catalogue& catalogue, const std::vector<DebugViewText>& views) {
+  std::string text = "plugins\n";
+  for (const auto& plugin : catalogue.plugins()) {
+    text += "  " + plugin->id() + " " + plugin->version() + " - " + plugin->name() + " (" + plugin->path().string() + ")\n    " + plugin->doc() + "\n";
+    for (const host::TechniqueInfo& technique : plugin->techniques())
+      text += "    technique " + technique.id + " - " + technique.name + ". " + technique.doc + "\n";
+  }
+  text += "\nparameters\n";
+  for (const params::Parameter& p : catalogue.table().parameters()) {
+    text += "  " + p.id + " = " + params::toText(p, p.defaultValue) + (p.unit.empty() ? "" : " " + p.unit) + "   [" + range(p) + "]\n    " + p.doc + "\n";
+  }
+  text += "\ndebug views\n";
+  for (const DebugViewText& view : views) text += "  " + view.name + " (" + view.owner + ") - " + view.doc + "\n";
+  return text;
+}
+
+}  // namespace
+
+Result<void> runDescribe(const DescribeOptions& options) {
+  auto catalogue = loadSettings({{}, {}, options.pluginFolder});
+  if (!catalogue) return catalogue.error();
+  std::vector<std::string> notes;
+  const std::vector<DebugViewText> views = debugViews(*catalogue, options.device, notes);
+  if (auto done = print(options.json ? describeJson(**catalogue, views) : describeText(**catalogue, views)); !done) return done;
+  tell((*catalogue)->warnings(), notes);
+  return {};
+}
+
+}  // namespace tyndall::app

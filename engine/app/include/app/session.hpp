@@ -1,0 +1,107 @@
+// One running engine: device, renderer, plugin effect, level. Shared by the command line and the editor; knows neither.
+//   session->setLevel(level);
+//   render::Graph graph(session->device(), session->graphMemory());
+//   auto output = session->buildFrame(graph, request);       // begins a device frame
+//   ... add passes: readback, user interface, presentation ...
+//   session->submitFrame(graph);                             // compiles, records, submits
+// Not thread-safe: one thread owns it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/catalogue.hpp"
+#include "app/level.hpp"
+#include "base/result.hpp"
+#include "gpu/device.hpp"
+#include "gpu/pipeline.hpp"
+#include "host/host.hpp"
+#include "render/frame.hpp"
+#include "render/graph.hpp"
+
+namespace tyndall::app {
+
+struct FrameRequest {
+  std::uint32_t width = 1280, height = 720;
+  scene::CameraView camera;
+  double seconds = 0;        ///< time of the level's animations
+  std::string debugView;     ///< "" = the picture
+  bool reset = false;        ///< a cut: what was kept from earlier frames is worthless
+};
+
+class Session {
+ public:
+  /// Opens the device, the renderer (shaders/ beside the executable) and the effect of the catalogue's plugin.
+  static Result<std::unique_ptr<Session>> open(std::unique_ptr<Catalogue> catalogue, const gpu::DeviceOptions& options);
+  ~Session();
+
+  /// Uploads the level; the next frame is a cut. On an error no level is set.
+  Result<void> setLevel(Level level);
+  const Level* level() const { return level_ ? &*level_ : nullptr; }
+
+  /// Waits for a free frame slot, begins the device's frame and declares the whole deferred frame in `graph`. A level
+  /// must be set. After an error the device's frame is closed again.
+  Result<render::FrameOutput> buildFrame(render::Graph& graph, const FrameRequest& request);
+  /// Compiles, records with a timestamp after each pass, submits. `signals` is for a window's swapchain.
+  Result<void> submitFrame(render::Graph& graph, const gpu::FrameSignals& signals = {});
+  /// Waits for every submitted frame and takes its times.
+  Result<void> finishFrames();
+
+  /// Times of the newest frame known to be finished, in the order the passes ran; empty before the first.
+  const std::vector<render::PassTime>& lastPassTimes() const { return lastTimes_; }
+  std::uint64_t finishedFrames() const { return finished_; }  ///< frames whose times were taken
+
+  /// Debug views of the engine and of the effect's present layout.
+  std::vector<render::DebugViewInfo> debugViews() const;
+
+  /// Loads the effect's plugin again from its file; parameter values are kept. On an error the old one stays.
+  Result<void> reloadPlugin();
+  /// True when the plugin's file was rebuilt since it was loaded.
+  bool pluginChanged() const { return catalogue_->effectPlugin().fileChanged(); }
+  /// Recompiles changed shaders of engine and plugin; one line per shader changed or broken.
+  std::vector<std::string> reloadShaders();
+
+  gpu::Device& device() { return *device_; }
+  render::Renderer& renderer() { return *renderer_; }
+  render::GraphMemory& graphMemory() { return *memory_; }
+  host::PluginEffect& effect() { return *effect_; }
+  Catalogue& catalogue() { return *catalogue_; }
+  params::Table& table() { return catalogue_->table(); }
+
+  /// The greatest side a picture can have on this device, pixels.
+  std::uint32_t maxSide() const;
+  const render::GraphStatistics& statistics() const { return statistics_; }  ///< of the last submitted frame
+
+ private:
+  struct Slot {
+    gpu::Timestamps timestamps;
+    std::vector<render::PassTime> passes;
+    bool waiting = false;  ///< submitted, times not taken yet
+  };
+  Session() = default;
+  void takeTimes(Slot& slot);
+  Slot& currentSlot() { return slots_[device_->submittedFrames() % slots_.size()]; }
+
+  // Destroyed from the last to the first: the effect before its plugin, everything before the device.
+  std::unique_ptr<Catalogue> catalogue_;
+  std::unique_ptr<gpu::Device> device_;
+  std::unique_ptr<render::GraphMemory> memory_;
+  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<host::PluginEffect> effect_;
+  std::array<Slot, 2> slots_;            ///< as many as the device has frames in flight
+  std::optional<Level> level_;
+  std::vector<render::PassTime> lastTimes_;
+  render::GraphStatistics statistics_;
+  std::uint64_t finished_ = 0;
+  std::uint64_t frameIndex_ = 0;
+  std::pair<std::uint32_t, std::uint32_t> lastSize_{0, 0};
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  bool cut_ = true;
+};
+
+}  // namespace tyndall::app

@@ -1,0 +1,190 @@
+// The command line by CLI11, which appears in this file only. CLI11 splits arguments; numbers and files are checked here
+// and later, so that every refusal is one line that names the option.
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "app/values.hpp"
+#include "base/file.hpp"
+
+#ifndef TYNDALL_VERSION
+#error "TYNDALL_VERSION comes from engine/app/CMakeLists.txt"
+#endif
+
+namespace tyndall::app {
+namespace {
+
+/// Options as the text they were given as.
+struct Given {
+  std::string level, camera = "0", size = "1280x720", frames = "1", seconds = "0", samples = "1024";
+  std::string preset, plugins, out, scatter, depth, stats, debugView, device;
+  std::vector<std::string> assignments;
+  bool validate = false, json = false;
+};
+
+void addLevel(CLI::App& command, Given& given) {
+  command.add_option("LEVEL", given.level, "a sample's name (see: tyndall levels) or a path to a .gltf or .glb file");
+}
+
+void addSettings(CLI::App& command, Given& given) {
+  command.add_option("--set", given.assignments, "sets a parameter (see: tyndall describe); repeatable, the later wins")
+      ->type_name("id=value")->expected(1)->take_all()->allow_extra_args(false);
+  command.add_option("--preset", given.preset, "parameter values from a file; --set comes after it")->type_name("FILE.json");
+  command.add_option("--plugin-dir", given.plugins, "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")->type_name("DIR");
+}
+
+void addView(CLI::App& command, Given& given) {
+  command.add_option("--camera", given.camera, "which of the file's perspective cameras, in node order [0]")->type_name("N");
+  command.add_option("--size", given.size, "size of the picture in pixels [1280x720]")->type_name("WxH");
+  command.add_option("--time", given.seconds, "time of the level's animations [0]")->type_name("SECONDS");
+}
+
+void addRender(CLI::App& command, Given& given) {
+  addLevel(command, given);
+  addView(command, given);
+  addSettings(command, given);
+  command.add_option("--frames", given.frames, "frames rendered and timed after a warm-up; times are those of the median frame [1]")->type_name("N");
+  command.add_option("--out", given.out, "the picture, 8-bit sRGB")->type_name("IMAGE.png");
+  command.add_option("--scatter", given.scatter, "R,G,B in-scattered radiance before exposure, A transmittance; 32-bit float")->type_name("FILE.exr");
+  command.add_option("--depth", given.depth, "distance along each pixel's ray in metres; 32-bit float")->type_name("FILE.exr");
+  command.add_option("--stats", given.stats, "times, memory, settings")->type_name("FILE.json");
+  command.add_option("--debug-view", given.debugView, "shows a view of the insides instead of the picture (see: tyndall describe)")->type_name("NAME");
+  command.add_option("--device", given.device, "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")->type_name("TEXT");
+  command.add_flag("--validate", given.validate, "validation layer with synchronization validation; any message makes the exit status 1");
+}
+
+void addTruth(CLI::App& command, Given& given) {
+  addLevel(command, given);
+  addView(command, given);
+  addSettings(command, given);
+  command.add_option("--samples", given.samples, "shadow rays per view ray and light [1024]")->type_name("N");
+  command.add_option("--out", given.scatter, "R,G,B in-scattered radiance, A transmittance; 32-bit float")->type_name("FILE.exr");
+  command.add_option("--depth", given.depth, "distance along each pixel's ray in metres; 32-bit float")->type_name("FILE.exr");
+}
+
+/// An error for the first argument that nothing took, or success.
+Result<void> refuseExtras(const CLI::App& command) {
+  const std::vector<std::string> extras = command.remaining();
+  if (extras.empty()) return {};
+  // The first that looks like an option: what follows it may be its value.
+  const auto isOption = [](const std::string& text) { return text.size() > 1 && text[0] == '-'; };
+  const auto found = std::find_if(extras.begin(), extras.end(), isOption);
+  if (found == extras.end()) return badCall("'" + extras.front() + "': is one argument too many; see tyndall " + command.get_name() + " --help");
+  const std::string name = found->substr(0, found->find('='));
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& text : option->get_lnames()) known.push_back("--" + text);
+  const std::string near = nearestName(name, known);
+  return badCall(name + ": no such option of 'tyndall " + command.get_name() + "'" +
+                 (near.empty() ? "; see tyndall " + command.get_name() + " --help" : "; did you mean " + near + "?"));
+}
+
+/// An option that was given with nothing in it.
+Result<void> refuseEmpty(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    if (option->count() > 0 && option->get_type_size() > 0)
+      for (const std::string& text : option->results())
+        if (text.empty()) return badCall(option->get_name() + ": is empty; " + option->get_type_name() + " is needed");
+  return {};
+}
+
+SettingsOptions settingsOf(const Given& given) { return {given.preset, given.assignments, given.plugins}; }
+
+/// Camera, size and time, which render and truth share.
+template <class T>
+Result<void> readView(const Given& given, T& options) {
+  if (given.level.empty()) return badCall("LEVEL is missing; a sample's name (see: tyndall levels) or a path to a .gltf or .glb file is needed");
+  options.level = given.level;
+  auto camera = readCount("--camera", given.camera, 0, 1'000'000);
+  if (!camera) return camera.error();
+  auto size = readSize("--size", given.size);
+  if (!size) return size.error();
+  auto seconds = readSeconds("--time", given.seconds);
+  if (!seconds) return seconds.error();
+  options.camera = *camera;
+  options.size = *size;
+  options.seconds = *seconds;
+  options.settings = settingsOf(given);
+  return {};
+}
+
+Result<Options> readRender(const Given& given) {
+  RenderOptions options;
+  if (auto view = readView(given, options); !view) return view.error();
+  // A million frames is a day's work; more is a slip of the finger.
+  auto frames = readCount("--frames", given.frames, 1, 1'000'000);
+  if (!frames) return frames.error();
+  options.frames = *frames;
+  options.picture = given.out, options.scatter = given.scatter, options.depth = given.depth, options.stats = given.stats;
+  options.debugView = given.debugView, options.device = given.device, options.validate = given.validate;
+  return Options(std::move(options));
+}
+
+Result<Options> readTruth(const Given& given) {
+  TruthOptions options;
+  if (auto view = readView(given, options); !view) return view.error();
+  auto samples = readCount("--samples", given.samples, 1, 1'000'000);
+  if (!samples) return samples.error();
+  options.samples = *samples;
+  options.scatter = given.scatter, options.depth = given.depth;
+  if (options.scatter.empty()) return badCall("--out is missing; a file name ending in .exr is needed");
+  return Options(std::move(options));
+}
+
+}  // namespace
+
+Result<Options> readOptions(int argc, const char* const* argv) try {
+  CLI::App app("Tyndall: renders glTF levels with light scattered in the air.", "tyndall");
+  app.set_version_flag("--version", "tyndall " TYNDALL_VERSION);
+  app.allow_extras();
+  Given given;
+  CLI::App& render = *app.add_subcommand("render", "renders a level");
+  addRender(render, given);
+  CLI::App& truth = *app.add_subcommand("truth", "renders a level's in-scattered radiance by ray tracing on the CPU");
+  addTruth(truth, given);
+  CLI::App& describe = *app.add_subcommand("describe", "lists plugins, techniques, parameters and debug views");
+  describe.add_flag("--json", given.json, "as JSON");
+  describe.add_option("--plugin-dir", given.plugins, "folder of the plugins")->type_name("DIR");
+  describe.add_option("--device", given.device, "device whose debug views are listed")->type_name("TEXT");
+  CLI::App& levels = *app.add_subcommand("levels", "lists the sample levels");
+  CLI::App& edit = *app.add_subcommand("edit", "starts the editor");
+  edit.set_help_flag();
+  edit.prefix_command();
+  CLI::App& bench = *app.add_subcommand("bench", "measures speed and error (not built yet)");
+  CLI::App& tune = *app.add_subcommand("tune", "searches settings for a budget (not built yet)");
+  for (CLI::App* command : {&render, &truth, &describe, &levels, &bench, &tune}) command->allow_extras();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return Options(TextOptions{app.help()});
+  } catch (const CLI::CallForVersion&) {
+    return Options(TextOptions{app.version() + "\n"});
+  } catch (const CLI::ParseError& error) {
+    return badCall(error.what());
+  }
+
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const std::string choices = "render, truth, describe, levels, edit, bench or tune is needed";
+  if (chosen.empty()) {
+    const std::vector<std::string> extras = app.remaining();
+    if (extras.empty()) return badCall("no command; " + choices);
+    const std::string near = nearestName(extras.front(), names);
+    return badCall("'" + extras.front() + "': no such command; " + (near.empty() ? choices : "did you mean '" + near + "'?"));
+  }
+  const CLI::App& command = *chosen.front();
+  if (&command == &edit) return Options(EditOptions{edit.remaining()});
+  if (&command == &bench || &command == &tune) return Options(NotBuiltOptions{command.get_name()});
+  if (auto extras = refuseExtras(command); !extras) return extras.error();
+  if (auto empty = refuseEmpty(command); !empty) return empty.error();
+  if (&command == &render) return readRender(given);
+  if (&command == &truth) return readTruth(given);
+  if (&command == &describe) return Options(DescribeOptions{given.json, given.plugins, given.device});
+  return Options(LevelsOptions{});
+} catch (const CLI::Error& error) {
+  return badCall(error.what());
+}
+
+}  // namespace tyndall::app

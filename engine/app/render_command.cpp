@@ -1,0 +1,81 @@
+// tyndall render: everything that can be wrong with the call is checked before the first frame; files are written after
+// the last, all or none.
+#include "app/level.hpp"
+#include "app/outputs.hpp"
+#include "app/values.hpp"
+#include "commands.hpp"
+#include "render_run.hpp"
+#include "settings.hpp"
+#include "stats.hpp"
+
+#include "base/file.hpp"
+#include "image/image_io.hpp"
+
+namespace tyndall::app {
+namespace {
+
+struct OptionFile {
+  const char* option;
+  const std::string& path;
+  const char* extension;
+};
+
+Result<void> addOutputs(Outputs& outputs, const RenderOptions& options, const std::filesystem::path& level) {
+  outputs.protect(level);
+  if (!options.settings.preset.empty()) outputs.protect(options.settings.preset);
+  for (const OptionFile& file : {OptionFile{"--out", options.picture, ".png"}, OptionFile{"--scatter", options.scatter, ".exr"},
+                                 OptionFile{"--depth", options.depth, ".exr"}, OptionFile{"--stats", options.stats, ".json"}})
+    if (!file.path.empty())
+      if (auto added = outputs.add(file.option, file.path, file.extension); !added) return added;
+  return {};
+}
+
+Result<void> writeOutputs(Outputs& outputs, const Readback& readback, const std::string& stats) {
+  using Path = std::filesystem::path;
+  if (auto done = outputs.write("--out", [&](const Path& p) { return image::writePng(p, readback.picture()); }); !done) return done;
+  if (auto done = outputs.write("--scatter", [&](const Path& p) { return image::writeExr(p, readback.scatter()); }); !done) return done;
+  if (auto done = outputs.write("--depth", [&](const Path& p) { return image::writeExr(p, readback.distance()); }); !done) return done;
+  if (auto done = outputs.write("--stats", [&](const Path& p) { return writeTextAtomically(p, stats); }); !done) return done;
+  return outputs.commit();
+}
+
+}  // namespace
+
+Result<void> runRender(const RenderOptions& options) {
+  auto path = findLevel(options.level);
+  if (!path) return path.error();
+  Outputs outputs;
+  if (auto added = addOutputs(outputs, options, *path); !added) return added;
+  auto catalogue = loadSettings(options.settings);
+  if (!catalogue) return catalogue.error();
+  auto level = loadLevel(options.level);
+  if (!level) return level.error();
+  auto camera = chooseCamera(*level, options.camera, options.seconds);
+  if (!camera) return camera.error();
+  std::vector<std::string> warnings = (*catalogue)->warnings(), notes = level->notes;
+  warnings.insert(warnings.end(), level->warnings.begin(), level->warnings.end());
+
+  gpu::DeviceOptions device;
+  device.name = options.device;
+  device.validation = options.validate;
+  auto opened = Session::open(catalogue.take(), device);
+  if (!opened) return opened.error();
+  Session& session = **opened;
+  if (auto fits = checkSize("--size", options.size, session.maxSide(), session.device().info().name + " takes"); !fits) return fits;
+  if (auto set = session.setLevel(level.take()); !set) return set;
+  auto run = renderFrames(session, options, *camera);
+  if (!run) return run.error();
+  if (run->validationMessages > 0)
+    return failed("--validate: the validation layer gave " + std::to_string(run->validationMessages) + " messages (above); none is right");
+  notes.insert(notes.end(), session.renderer().notes().begin(), session.renderer().notes().end());
+
+  std::vector<std::string> told = warnings;
+  told.insert(told.end(), notes.begin(), notes.end());
+  if (auto written = writeOutputs(outputs, run->readback, statsJson(options, session, *run, told)); !written) return written;
+  tell(warnings, notes);
+  std::string text = statsTable(options, session, *run);
+  for (const std::filesystem::path& file : outputs.paths()) text += file.string() + "\n";
+  return print(text);
+}
+
+}  // namespace tyndall::app

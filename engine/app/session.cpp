@@ -1,0 +1,150 @@
+#include "app/session.hpp"
+
+#include <algorithm>
+
+#include "base/assert.hpp"
+#include "base/file.hpp"
+#include "image/image_io.hpp"
+
+namespace tyndall::app {
+
+Result<std::unique_ptr<Session>> Session::open(std::unique_ptr<Catalogue> catalogue, const gpu::DeviceOptions& options) {
+  auto session = std::unique_ptr<Session>(new Session);
+  session->catalogue_ = std::move(catalogue);
+  auto device = gpu::Device::create(options);
+  if (!device) return device.error();
+  session->device_ = device.take();
+  session->memory_ = std::make_unique<render::GraphMemory>(*session->device_);
+  auto renderer = render::Renderer::create(*session->device_, executableFolder() / "shaders");
+  if (!renderer) return renderer.error();
+  session->renderer_ = renderer.take();
+  auto effect = host::PluginEffect::create(*session->device_, session->catalogue_->effectPlugin(), session->table());
+  if (!effect) return effect.error();
+  session->effect_ = effect.take();
+  return session;
+}
+
+Session::~Session() {
+  // Nothing can be reported from here; what waits for the GPU is destroyed with the device in any case.
+  if (device_) (void)device_->waitIdle();
+}
+
+Result<void> Session::setLevel(Level level) {
+  level_.reset();
+  if (auto finished = finishFrames(); !finished) return finished;
+  if (auto uploaded = renderer_->setScene(level.scene); !uploaded)
+    return Error{level.path.string() + ": " + uploaded.error().message, uploaded.error().kind};
+  level_ = std::move(level);
+  cut_ = true;
+  return {};
+}
+
+Result<render::FrameOutput> Session::buildFrame(render::Graph& graph, const FrameRequest& request) {
+  TY_ASSERT(level_, "buildFrame() needs setLevel()");
+  TY_ASSERT(!commands_, "buildFrame() twice without submitFrame()");
+  auto commands = device_->beginFrame();
+  if (!commands) return commands.error();
+  // The slot's last frame is finished: beginFrame() waited for it.
+  takeTimes(currentSlot());
+
+  const std::pair size{request.width, request.height};
+  render::Renderer::Input input{level_->scene, level_->worldFromNode(request.seconds), request.camera, level_->lights(request.seconds)};
+  input.width = request.width;
+  input.height = request.height;
+  input.seconds = request.seconds;
+  input.frameIndex = frameIndex_++;
+  input.reset = request.reset || cut_ || size != lastSize_;
+  input.settings.exposure = static_cast<float>(table().value("view.exposure"));
+  input.settings.shadowResolution = static_cast<std::uint32_t>(table().value("shadows.resolution"));
+  input.settings.debugView = request.debugView;
+  input.effect = effect_.get();
+  auto output = renderer_->addFrame(graph, input);
+  if (!output) {
+    (void)device_->endFrame();  // the reason of the failure is told, not that of an empty submission
+    return output;
+  }
+  commands_ = *commands;
+  lastSize_ = size;
+  cut_ = false;
+  return output;
+}
+
+Result<void> Session::submitFrame(render::Graph& graph, const gpu::FrameSignals& signals) {
+  TY_ASSERT(commands_, "submitFrame() needs buildFrame()");
+  const VkCommandBuffer commands = std::exchange(commands_, VK_NULL_HANDLE);
+  Slot& slot = currentSlot();
+  auto recorded = [&]() -> Result<void> {
+    if (auto compiled = graph.compile(); !compiled) return compiled;
+    statistics_ = graph.statistics();
+    if (slot.timestamps.capacity() < statistics_.passesRun) {
+      auto made = gpu::Timestamps::create(*device_, statistics_.passesRun + 16);
+      if (!made) return made.error();
+      slot.timestamps = made.take();
+    }
+    graph.record(commands, &slot.timestamps);
+    return {};
+  }();
+  if (!recorded) {
+    (void)device_->endFrame();
+    return recorded;
+  }
+  slot.passes = graph.passes();
+  if (auto submitted = device_->endFrame(signals); !submitted) return submitted;
+  slot.waiting = true;
+  return {};
+}
+
+void Session::takeTimes(Slot& slot) {
+  if (!slot.waiting) return;
+  slot.waiting = false;
+  const std::vector<double> spans = slot.timestamps.milliseconds();
+  TY_ASSERT(spans.size() == slot.passes.size(), std::to_string(spans.size()) + " times for " + std::to_string(slot.passes.size()) + " passes");
+  for (std::size_t i = 0; i < spans.size(); ++i) slot.passes[i].milliseconds = spans[i];
+  lastTimes_ = slot.passes;
+  ++finished_;
+  effect_->frameFinished(lastTimes_);
+}
+
+Result<void> Session::finishFrames() {
+  if (auto waited = device_->waitIdle(); !waited) return waited;
+  // The slot that would be used next holds the older frame.
+  const std::size_t next = device_->submittedFrames() % slots_.size();
+  for (std::size_t i = 0; i < slots_.size(); ++i) takeTimes(slots_[(next + i) % slots_.size()]);
+  return {};
+}
+
+std::vector<render::DebugViewInfo> Session::debugViews() const {
+  std::vector<render::DebugViewInfo> views = render::Renderer::debugViews();
+  for (const host::PluginDebugView& view : effect_->debugViews()) views.push_back({view.name, view.doc});
+  return views;
+}
+
+Result<void> Session::reloadPlugin() {
+  if (auto finished = finishFrames(); !finished) return finished;
+  auto plugin = host::Plugin::load(catalogue_->effectPlugin().path());
+  if (!plugin) return plugin.error();
+  // The new effect is made first, with a table of its own, so that a failure leaves the running one alone.
+  params::Table trial;
+  if (auto added = trial.add((*plugin)->parameters()); !added) return added;
+  if (auto effect = host::PluginEffect::create(*device_, **plugin, trial); !effect) return effect.error();
+  effect_.reset();
+  auto replaced = catalogue_->replaceEffectPlugin(plugin.take());
+  auto effect = host::PluginEffect::create(*device_, catalogue_->effectPlugin(), table());
+  if (!effect) return effect.error();
+  effect_ = effect.take();
+  cut_ = true;
+  return replaced;
+}
+
+std::vector<std::string> Session::reloadShaders() {
+  std::vector<std::string> lines = renderer_->reloadShaders();
+  for (std::string& line : effect_->reloadShaders()) lines.push_back(std::move(line));
+  return lines;
+}
+
+std::uint32_t Session::maxSide() const {
+  const VkPhysicalDeviceLimits& limits = device_->info().limits;
+  return std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight, image::kMaxSide});
+}
+
+}  // namespace tyndall::app

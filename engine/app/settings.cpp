@@ -1,0 +1,43 @@
+#include "settings.hpp"
+
+#include <cstdio>
+#include <cstring>
+#include <cerrno>
+
+#include "base/file.hpp"
+
+namespace tyndall::app {
+
+Result<std::unique_ptr<Catalogue>> loadSettings(const SettingsOptions& options) {
+  auto catalogue = Catalogue::load(pluginFolder(options.pluginFolder));
+  if (!catalogue) return catalogue;
+  params::Table& table = (*catalogue)->table();
+  if (!options.preset.empty()) {
+    auto text = readText(options.preset, 1u << 20);  // a preset is a page of text; 1 MiB is generous
+    if (!text) return Error{"--preset " + text.error().message, text.error().kind};
+    if (auto read = table.readPreset(*text, options.preset.string()); !read) return Error{"--preset " + read.error().message, read.error().kind};
+  }
+  for (const std::string& assignment : options.assignments)
+    if (auto set = table.setAssignment(assignment); !set) return Error{"--set " + set.error().message, set.error().kind};
+  return catalogue;
+}
+
+void tell(const std::vector<std::string>& warnings, const std::vector<std::string>& notes) {
+  for (const std::string& line : warnings) std::fprintf(stderr, "tyndall: warning: %s\n", oneLine(line).c_str());
+  for (const std::string& line : notes) std::fprintf(stderr, "tyndall: note: %s\n", oneLine(line).c_str());
+}
+
+std::string oneLine(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return text;
+}
+
+Result<void> print(const std::string& text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    return failed(std::string("standard output: cannot be written: ") + std::strerror(errno));
+  return {};
+}
+
+}  // namespace tyndall::app
