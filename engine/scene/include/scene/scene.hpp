@@ -107,6 +107,7 @@ struct Node {
   std::int32_t mesh = kNone;
   std::int32_t camera = kNone;
   std::int32_t light = kNone;
+  std::uint32_t order = 0;       ///< place in the file's own list of nodes, which may have children before parents
 };
 
 /// A perspective camera.
@@ -172,7 +173,7 @@ struct CameraView {
   Camera camera;
   std::string name;
 };
-/// All perspective cameras in node order.
+/// All perspective cameras, in the order that the file lists their nodes (Node::order).
 std::vector<CameraView> placedCameras(const Scene& scene, const std::vector<glm::mat4>& worldFromNode);
 
 /// A camera that frames `bounds` from a raised three-quarter view; used when a file has none.

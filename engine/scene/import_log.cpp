@@ -1,0 +1,43 @@
+#include "import_log.hpp"
+
+#include <utility>
+
+namespace tyndall::scene {
+namespace {
+
+std::string escaped(std::string_view text, std::size_t limit) {
+  static constexpr char kHex[] = "0123456789abcdef";
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i == limit) return out + "...";
+    const auto c = static_cast<unsigned char>(text[i]);
+    if (c >= 0x20 && c != 0x7f) {
+      out += text[i];
+    } else {
+      out += "\\x";
+      out += kHex[c >> 4];
+      out += kHex[c & 15];
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string inQuotes(std::string_view text) { return "\"" + escaped(text, 80) + "\""; }
+std::string oneLine(std::string_view text) { return escaped(text, 200); }
+
+void Warnings::add(std::string line) {
+  if (lines_.size() == kMost) {
+    ++dropped_;
+    return;
+  }
+  if (seen_.insert(line).second) lines_.push_back(std::move(line));
+}
+
+std::vector<std::string> Warnings::take() {
+  if (dropped_) lines_.push_back("and " + std::to_string(dropped_) + " more warnings");
+  return std::move(lines_);
+}
+
+}  // namespace tyndall::scene

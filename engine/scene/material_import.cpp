@@ -1,0 +1,52 @@
+#include "import_parts.hpp"
+
+namespace tyndall::scene {
+namespace {
+
+using document::Document;
+
+/// Copies textures and images on first use.
+struct Importer {
+  Document& document;
+  Scene& scene;
+  Warnings& warnings;
+  std::vector<std::int32_t> textureOf = std::vector<std::int32_t>(document.textures.size(), kNone);
+  std::vector<std::int32_t> imageOf = std::vector<std::int32_t>(document.images.size(), kNone);
+
+  void use(TextureUse& use) {
+    if (!use.used()) return;
+    const document::Texture& in = document.textures[use.texture];
+    if (in.source == kNone) {
+      warnings.add(element("textures", use.texture) + " has no PNG or JPEG image and was left out");
+      use = {};
+      return;
+    }
+    std::int32_t& texture = textureOf[use.texture];
+    if (texture == kNone) {
+      std::int32_t& image = imageOf[in.source];
+      if (image == kNone) {
+        image = static_cast<std::int32_t>(scene.images.size());
+        scene.images.push_back(std::move(document.images[in.source]));
+      }
+      texture = static_cast<std::int32_t>(scene.textures.size());
+      scene.textures.push_back({image, in.sampler});
+    }
+    use.texture = texture;
+  }
+};
+
+}  // namespace
+
+void importMaterials(Document& document, Scene& scene, Warnings& warnings) {
+  Importer importer{document, scene, warnings};
+  for (std::size_t i = 0; i < document.materials.size(); ++i) {
+    Material m = document.materials[i].material;
+    for (TextureUse* use : {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture})
+      importer.use(*use);
+    if (document.materials[i].specularGlossiness)
+      warnings.add("materials of the archived specular-glossiness kind become ordinary dielectrics");
+    scene.materials.push_back(std::move(m));
+  }
+}
+
+}  // namespace tyndall::scene

@@ -1,0 +1,48 @@
+// A small table-driven check of JSON against the glTF 2.0 schema. tinygltf reads wrong types as defaults, casts
+// without looking and follows indices unchecked; what reaches it has passed here first.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "import_log.hpp"
+
+namespace tyndall::scene {
+
+using Json = nlohmann::json;
+
+enum class Kind { kBoolean, kString, kNumber, kInteger, kIndex, kNumbers, kIndices, kStrings, kAttributes, kObject, kObjects };
+
+struct Schema;
+
+struct Property {
+  const char* key = "";
+  Kind kind = Kind::kObject;
+  bool required = false;
+  double low = -std::numeric_limits<float>::max();  ///< of numbers, integers and the elements of arrays
+  double high = std::numeric_limits<float>::max();
+  bool clamp = false;              ///< out of range is repaired with a warning instead of refused
+  std::size_t minItems = 0;        ///< of arrays
+  std::size_t maxItems = std::numeric_limits<std::size_t>::max();
+  const char* array = nullptr;     ///< kIndex, kIndices, kAttributes: the array of the document that is pointed into
+  const char* choices = nullptr;   ///< kString, kInteger: allowed values, separated by '|'
+  const Schema* object = nullptr;  ///< kObject, kObjects
+};
+
+struct Schema {
+  std::vector<Property> properties;
+};
+
+/// A copy of `value` with only the properties of `schema`, each of the right type and in range; integers written as
+/// floats become integers. Refuses with the path of the first offender, such as "nodes[3].mesh is 7; there are 5 meshes".
+/// `document` is where indices point into; `path` names `value` and is empty for the document itself.
+Json checked(const Json& value, const Schema& schema, const Json& document, const std::string& path, Warnings& warnings);
+
+/// What the importer reads of a glTF document.
+const Schema& gltfSchema();
+
+}  // namespace tyndall::scene
