@@ -124,25 +124,30 @@ class Device {
 
   Result<Image> createImage(const ImageDesc& desc);
   Result<Buffer> createBuffer(const BufferDesc& desc);
-  /// Memory that several transient images and buffers share in turn (the render graph's aliasing).
+  /// Memory that several transient images and buffers share in turn (the render graph's aliasing). Sizes and alignments are
+  /// rounded so that images and buffers may be neighbours; all zero for what the device does not take (create says why).
   VkMemoryRequirements requirements(const ImageDesc& desc);
   VkMemoryRequirements requirements(const BufferDesc& desc);
   Result<std::shared_ptr<Allocation>> allocate(const VkMemoryRequirements& requirements, const std::string& name);
   Result<Image> createImageAt(const ImageDesc& desc, std::shared_ptr<Allocation> memory, VkDeviceSize offset);
   Result<Buffer> createBufferAt(const BufferDesc& desc, std::shared_ptr<Allocation> memory, VkDeviceSize offset);
 
-  VkSampler sampler(const VkSamplerCreateInfo& info);  ///< cached for the device's life
+  /// Cached for the device's life. Anisotropy is dropped where the device has none; pNext may hold a reduction mode.
+  VkSampler sampler(const VkSamplerCreateInfo& info);
 
   /// Records and submits one command buffer and waits for it. For uploads, readback, tests.
   Result<void> submitAndWait(const std::function<void(VkCommandBuffer)>& record);
-  /// Frame loop: at most two frames in flight; begin waits for the slot and frees what was deferred for it.
+  /// Frame loop: at most two frames in flight; begin waits for the slot and frees what was deferred for it. A second begin
+  /// without an end drops what was recorded.
   Result<VkCommandBuffer> beginFrame();
   Result<void> endFrame(const FrameSignals& signals = {});
   std::uint64_t submittedFrames() const;  ///< value of the timeline semaphore once the last submitted frame is done
   Result<void> waitIdle();
 
-  /// Copies into an image (every layer and mip given, tightly packed) or buffer; into a buffer the host reads.
+  /// Copies the whole of one mip of one layer, tightly packed (a 3D image: all its slices), and waits. Whatever its layout
+  /// was, that part is then in SHADER_READ_ONLY_OPTIMAL if the image can be sampled, else in GENERAL.
   Result<void> upload(Image& image, std::span<const std::byte> texels, std::uint32_t mip = 0, std::uint32_t layer = 0);
+  /// Frames submitted earlier still see the old bytes, later ones the new.
   Result<void> upload(Buffer& buffer, std::span<const std::byte> bytes, VkDeviceSize offset = 0);
   /// The image must be in `layout`; it is returned to it. Tightly packed rows.
   Result<std::vector<std::byte>> readback(const Image& image, VkImageLayout layout, std::uint32_t mip = 0, std::uint32_t layer = 0);

@@ -59,7 +59,8 @@ struct GraphicsPipelineDesc {
   VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;
 };
 
-/// A move-only pipeline with its layouts. Viewport and scissor are dynamic.
+/// A move-only pipeline with its layouts. Viewport and scissor are dynamic. Push constants are declared for all stages:
+/// vkCmdPushConstants takes VK_SHADER_STAGE_ALL.
 class Pipeline {
  public:
   Pipeline() = default;
@@ -91,6 +92,7 @@ class Descriptors {
   Descriptors& uniformBuffer(std::uint32_t binding, VkBuffer buffer, VkDeviceSize offset, VkDeviceSize size);
   void push();
  private:
+  VkWriteDescriptorSet& add(std::uint32_t binding, VkDescriptorType type);
   VkCommandBuffer commands_;
   const Pipeline& pipeline_;
   static constexpr std::uint32_t kMax = 32;
