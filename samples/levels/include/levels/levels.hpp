@@ -1,0 +1,18 @@
+// The sample levels as plain scenes, made by code: the same bytes on every run of the same build.
+// What each one stresses, and its cameras: README.md of this folder.
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace tyndall::levels {
+
+/// A great hall, 40 m x 14 m x 12 m, closed but for its windows and one door, in slanting sunlight.
+scene::Scene makeHall();
+
+/// A clearing with a creek and a footbridge in a forest of alpha-cut leaves, under a low sun.
+scene::Scene makeForest();
+
+/// How many triangles a frame that culls nothing draws: every mesh counted once per node that uses it.
+std::size_t instancedTriangles(const scene::Scene& scene);
+
+}  // namespace tyndall::levels

@@ -1,0 +1,49 @@
+// Puts a level together: keeps the indices of a scene::Scene right.
+#pragma once
+
+#include <string>
+
+#include "canvas.hpp"
+#include "mesh_builder.hpp"
+#include "scene/scene.hpp"
+
+namespace tyndall::levels {
+
+class LevelBuilder {
+ public:
+  explicit LevelBuilder(const std::string& name) { scene_.name = name; }
+
+  std::int32_t texture(scene::Image image, scene::Wrap wrap = scene::Wrap::kRepeat);
+  std::int32_t material(scene::Material material);
+  /// An opaque dielectric with the surface's colour, normals and roughness.
+  std::int32_t material(const std::string& name, const Surface& surface, const glm::vec4& factor = glm::vec4(1));
+  /// A material without textures.
+  std::int32_t plain(const std::string& name, const glm::vec3& color, float roughness, float metallic = 0);
+
+  std::int32_t mesh(const std::string& name, std::vector<scene::Primitive> primitives);
+  std::int32_t node(scene::Node node);
+  std::int32_t node(const std::string& name, std::int32_t mesh, const glm::vec3& at = glm::vec3(0), float yaw = 0,
+                    float scale = 1, std::int32_t parent = scene::kNone);
+  /// One mesh used by one node at the origin.
+  void single(const std::string& name, std::vector<scene::Primitive> primitives);
+
+  /// `toSun`: direction from the level to the sun.
+  void sun(const glm::vec3& toSun, const glm::vec3& color, float lux);
+  /// Degrees. Returns the node.
+  std::int32_t camera(const std::string& name, const glm::vec3& eye, const glm::vec3& target, float verticalFov, float zfar);
+
+  /// One animation per level: channels are added to it, and it loops with its longest channel.
+  void animate(scene::AnimationChannel channel);
+  /// A pendulum or door: turns the node about `axis` by middle + amplitude * sin, sampled so finely that linear
+  /// interpolation stays true; starts and ends alike.
+  void animateSwing(std::int32_t node, const glm::vec3& axis, float middle, float amplitude, float period, int periods);
+  /// A closed tour: eye and target at equal time steps, smooth in between; last point = first point.
+  void animateTour(std::int32_t camera, const std::vector<std::pair<glm::vec3, glm::vec3>>& stops, float seconds);
+
+  scene::Scene take() { return std::move(scene_); }
+
+ private:
+  scene::Scene scene_;
+};
+
+}  // namespace tyndall::levels
