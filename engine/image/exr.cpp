@@ -104,8 +104,10 @@ Result<FloatImage> decode(const std::string& place, std::span<const std::byte> b
     if (channel.xSampling != 1 || channel.ySampling != 1)
       return failed(place + ": channel " + name + " is subsampled; every channel must have every pixel");
   }
-  FloatImage image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
-                   static_cast<std::uint32_t>(names.size()), {}};
+  FloatImage image{static_cast<std::uint32_t>(width),
+                   static_cast<std::uint32_t>(height),
+                   static_cast<std::uint32_t>(names.size()),
+                   {}};
   image.values.resize(width * height * names.size());
   file.setFrameBuffer(frameBuffer(image.values.data(), image.width, names, window.min));
   file.readPixels(window.min.y, window.max.y);

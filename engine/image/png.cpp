@@ -78,8 +78,8 @@ Result<ByteImage> readPng(const std::filesystem::path& path) {
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(data, size, &width, &height, &channels, wanted), stbi_image_free);
   if (!pixels) return failed(path.string() + ": not a readable PNG file: " + stbi_failure_reason());
-  ByteImage image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
-                  static_cast<std::uint32_t>(wanted), {}};
+  ByteImage image{
+      static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), static_cast<std::uint32_t>(wanted), {}};
   image.values.assign(pixels.get(), pixels.get() + std::size_t{image.width} * image.height * image.channels);
   return image;
 }

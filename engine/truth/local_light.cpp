@@ -84,7 +84,7 @@ double LocalLight::scatter(const glm::dvec3& direction, double length, const Med
   // The unshadowed integrand times dt/dangle = distance^2 / pass.
   const auto unshadowed = [&](double angle) {
     const double offset = pass * std::tan(angle);
-    const double distance = std::hypot(offset, pass);
+    const double distance = std::sqrt(offset * offset + pass * pass);
     const double t = closest + offset;
     const double cosineToAxis = glm::dot(t * direction - position_, axis_) / distance;
     return std::exp(-medium.sigma_t * (t + distance)) * phase(medium.g, -offset / distance) *

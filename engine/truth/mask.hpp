@@ -9,8 +9,8 @@
 
 namespace tyndall::truth {
 
-/// KHR_texture_transform: offset + rotation * (scale * uv). The rotation is counter-clockwise to the eye; as v points down, it
-/// takes (1, 0) to (cos, -sin).
+/// KHR_texture_transform: offset + rotation * (scale * uv). The rotation is counter-clockwise to the eye; as v points
+/// down, it takes (1, 0) to (cos, -sin).
 glm::dvec2 transformed(const scene::TextureUse& use, glm::dvec2 uv);
 
 /// Alpha in [0, 1]: bilinear over the texels around uv * size - 1/2, or the texel at uv * size when the sampler

@@ -57,11 +57,10 @@ bool Occluders::add(const scene::Scene& scene, const scene::Primitive& primitive
 
   const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
   const std::unique_ptr<RTCGeometryTy, void (*)(RTCGeometry)> owner(geometry, rtcReleaseGeometry);
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), primitive.vertices.size()));
-  auto* indices = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
-                              primitive.indices.size() / 3));
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                               3 * sizeof(float), primitive.vertices.size()));
+  auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), primitive.indices.size() / 3));
   if (!vertices || !indices) return false;
   for (const scene::Vertex& vertex : primitive.vertices) {
     const glm::dvec3 p(eyeFromMesh * glm::dvec4(vertex.position, 1));
@@ -95,9 +94,9 @@ void Occluders::filterSeen(const RTCFilterFunctionNArguments* arguments) {
                                RTCRayN_dir_z(arguments->ray, n, i));
     const bool front = (glm::dot(normal, direction) < 0) != surface.mirrored;
     const bool seen = front || !surface.singleSided;
-    if (!seen || (surface.mask && !surface.mask->covers(RTCHitN_primID(arguments->hit, n, i),
-                                                        double{RTCHitN_u(arguments->hit, n, i)},
-                                                        double{RTCHitN_v(arguments->hit, n, i)})))
+    if (!seen || (surface.mask &&
+                  !surface.mask->covers(RTCHitN_primID(arguments->hit, n, i), double{RTCHitN_u(arguments->hit, n, i)},
+                                        double{RTCHitN_v(arguments->hit, n, i)})))
       arguments->valid[i] = 0;
   }
 }

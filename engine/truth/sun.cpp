@@ -45,8 +45,8 @@ double sunScatter(const glm::dvec3& travel, const glm::dvec3& direction, double 
   const double p = phase(medium.g, -glm::dot(travel, direction));
   const auto part = shadowable(casters, travel, direction, length);
   if (!part) return p * transmittedLength(medium.sigma_t, {0, length});
-  const double lit = transmittedLength(medium.sigma_t, {0, part->begin}) +
-                     transmittedLength(medium.sigma_t, {part->end, length});
+  const double lit =
+      transmittedLength(medium.sigma_t, {0, part->begin}) + transmittedLength(medium.sigma_t, {part->end, length});
   const double weight = transmittedLength(medium.sigma_t, *part) / samples;
   for (std::uint32_t i = 0; i < samples; ++i) {
     const double t = distanceAtShare(medium.sigma_t, *part, (i + 0.5) / samples);

@@ -9,8 +9,8 @@
 
 namespace tyndall::truth {
 
-/// The part of the ray, from the eye up to `length` metres, that can lie in the shadow of anything inside `casters`: where it meets
-/// the box swept along `travel` (unit, the way the light goes). None when it never does.
+/// The part of the ray, from the eye up to `length` metres, that can lie in the shadow of anything inside `casters`:
+/// where it meets the box swept along `travel` (unit, the way the light goes). None when it never does.
 std::optional<Interval> shadowable(const Box& casters, const glm::dvec3& travel, const glm::dvec3& direction,
                                    double length);
 

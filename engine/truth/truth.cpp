@@ -24,7 +24,8 @@ Result<void> check(const Settings& settings) {
   const std::uint32_t side = std::max(settings.width, settings.height);
   for (const auto& result :
        {checkRange("size", side, settings.width > 0 && settings.height > 0 && side <= kMaxSide, "1 to 32768 a side"),
-        checkRange("samples", settings.samples, settings.samples > 0 && settings.samples <= kMaxSamples, "1 to 1048576"),
+        checkRange("samples", settings.samples, settings.samples > 0 && settings.samples <= kMaxSamples,
+                   "1 to 1048576"),
         checkRange("medium.sigma_t", m.sigma_t, std::isfinite(m.sigma_t) && m.sigma_t >= 0, "0 or more, 1/m"),
         checkRange("medium.albedo", m.albedo, m.albedo >= 0 && m.albedo <= 1, "0 to 1"),
         checkRange("medium.g", m.g, m.g > -1 && m.g < 1, "between -1 and 1"),
@@ -111,13 +112,14 @@ Result<Picture> render(const scene::Scene& scene, const scene::CameraView& camer
       glm::dvec3 radiance(0);
       if (sigma_s > 0) {
         for (const Sun& sun : suns)
-          radiance += sun.irradiance * sunScatter(sun.travel, direction, end, medium, occluders.bounds(),
-                                                  settings.samples, rays);
+          radiance += sun.irradiance *
+                      sunScatter(sun.travel, direction, end, medium, occluders.bounds(), settings.samples, rays);
         for (const Lamp& lamp : lamps)
           radiance += lamp.candela * lamp.light.scatter(direction, end, medium, settings.samples, rays);
       }
       const std::size_t pixel = std::size_t{y} * settings.width + x;
-      picture.scatter[pixel] = glm::vec4(glm::vec3(sigma_s * radiance), static_cast<float>(std::exp(-medium.sigma_t * end)));
+      picture.scatter[pixel] =
+          glm::vec4(glm::vec3(sigma_s * radiance), static_cast<float>(std::exp(-medium.sigma_t * end)));
       picture.distance[pixel] = static_cast<float>(end);
     }
   });

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <gtest/gtest.h>
 
 #include "truth/truth.hpp"
 
@@ -18,7 +18,8 @@ namespace truth_test {
 namespace scene = tyndall::scene;
 namespace truth = tyndall::truth;
 
-/// Adds a parallelogram with corners a, a+u, a+u+v, a+v, whose front is where cross(u, v) points; uv 0..1 along u and v.
+/// Adds a parallelogram with corners a, a+u, a+u+v, a+v, whose front is where cross(u, v) points; uv 0..1 along u and
+/// v.
 inline scene::Primitive& addQuad(scene::Scene& level, glm::vec3 a, glm::vec3 u, glm::vec3 v,
                                  const scene::Material& material = {}) {
   scene::Primitive primitive;

@@ -76,7 +76,8 @@ TEST(TruthLocalLight, spotIsTheIntegral) {
   compareWithQuadrature(ranged, "with range", 1e-4);
 }
 
-// A film of air around the eye (zfar 1 cm): what a light gives it falls with the square of the distance, and with the range.
+// A film of air around the eye (zfar 1 cm): what a light gives it falls with the square of the distance, and with the
+// range.
 TEST(TruthLocalLight, fallsWithTheSquareOfTheDistanceAndEndsAtItsRange) {
   const auto camera = cameraAt({0, 0, 0}, {0, 0, -1}, 1, 0.001f, 0.01f);
   const auto at = [&](float distance, std::optional<float> range) {
@@ -95,7 +96,7 @@ TEST(TruthLocalLight, fallsWithTheSquareOfTheDistanceAndEndsAtItsRange) {
 TEST(TruthLocalLight, shadowOfAWall) {
   scene::Scene level;
   addQuad(level, {-100, 2, -100}, {101, 0, 0}, {0, 0, 200});  // height 2, up to x = 1
-  const auto light = pointAt({0, 4, 0.5f});                   // straight above: the ray at height 0 is lit from x = 2 on
+  const auto light = pointAt({0, 4, 0.5f});  // straight above: the ray at height 0 is lit from x = 2 on
   const auto camera = cameraAt({-5, 0, 0.5f}, {1, 0, 0});
   const truth::Medium medium{0.05, 0.9, 0.5};
   const Ray ray{{-5, 0, 0.5}, {1, 0, 0}, 1};

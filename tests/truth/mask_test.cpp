@@ -56,7 +56,7 @@ TEST(TruthMask, clampsToTheEdge) {
 TEST(TruthMask, mirrors) {
   Masked masked(2, 1, {255, 0});
   masked.sampler().wrapU = scene::Wrap::kMirroredRepeat;
-  masked.material.baseColorTexture.scale = {4, 1};   // two periods of the mirror
+  masked.material.baseColorTexture.scale = {4, 1};  // two periods of the mirror
   masked.material.baseColorTexture.offset = {-2, 0};
   masked.addToLevel();
   // In periods of 1/4: solid|hole, hole|solid, and again.

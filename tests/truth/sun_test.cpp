@@ -100,8 +100,9 @@ TEST(TruthSun, errorFallsAsSamplesRise) {
       const auto camera = cameraAt({-1 + 0.0317f * static_cast<float>(i), 2, 5}, {1, 0, 0});
       const double border = half.border - 0.0317 * i;
       const double expected = sigma * henyeyGreenstein(0, 0) * fog(sigma, border, 20);
-      sum += std::abs(rendered(half.level, camera, {half.sun}, onePixel({sigma, 1, 0}, samples)).scatter[0].r - expected) /
-             expected;
+      sum +=
+          std::abs(rendered(half.level, camera, {half.sun}, onePixel({sigma, 1, 0}, samples)).scatter[0].r - expected) /
+          expected;
     }
     return sum / 40;
   };
@@ -115,8 +116,7 @@ TEST(TruthSun, errorFallsAsSamplesRise) {
 TEST(TruthSun, boardsWithGaps) {
   scene::Scene level;
   constexpr int kBoards = 7;
-  for (int i = 0; i < kBoards; ++i)
-    addQuad(level, {2 * static_cast<float>(i), 6, -50}, {1, 0, 0}, {0, 0, 100});
+  for (int i = 0; i < kBoards; ++i) addQuad(level, {2 * static_cast<float>(i), 6, -50}, {1, 0, 0}, {0, 0, 100});
   const auto sun = sunAlong({0.5f, -1, 0.1f});
   const auto camera = cameraAt({-3, 2, 0}, {1, 0, 0}, 1.0f, 0.1f, 30.0f);
   for (const double sigma : {1e-6, 0.05, 0.3}) {

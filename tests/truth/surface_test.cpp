@@ -48,8 +48,8 @@ TEST(TruthSurface, groundPlaneIsAtTheAnalyticDistanceElseTheFarPlane) {
       EXPECT_NEAR(picture.distance[y * settings.width + x], right, 2e-5 * right) << x << " " << y;
       EXPECT_NEAR(picture.scatter[y * settings.width + x].a, std::exp(-0.05 * right), 1e-5);
       // The ground shades nothing above itself.
-      EXPECT_NEAR(picture.scatter[y * settings.width + x].r,
-                  0.05 * henyeyGreenstein(0, 0) * fog(0.05, 0, right), 1e-6) << x << " " << y;
+      EXPECT_NEAR(picture.scatter[y * settings.width + x].r, 0.05 * henyeyGreenstein(0, 0) * fog(0.05, 0, right), 1e-6)
+          << x << " " << y;
     }
   EXPECT_GT(ground, 100);
   EXPECT_GT(far, 100);
@@ -66,7 +66,9 @@ TEST(TruthSurface, nearPlaneCutsAlongTheAxis) {
   EXPECT_FLOAT_EQ(ahead(wall(-0.5f, true), 0.49f), 0.5f);
   EXPECT_FLOAT_EQ(ahead(wall(-0.5f, true), 0.51f), static_cast<float>(kFar));
   const auto settings = small();
-  const auto camera = [](float znear) { return cameraAt({0, 0, 0}, {0, 0, -1}, 2.0f, znear, static_cast<float>(kFar)); };
+  const auto camera = [](float znear) {
+    return cameraAt({0, 0, 0}, {0, 0, -1}, 2.0f, znear, static_cast<float>(kFar));
+  };
   const double corner = 0.5 / rayThrough(camera(0.1f), settings, 0, 0).cosine;
   EXPECT_GT(corner, 1);
   EXPECT_NEAR(rendered(wall(-0.5f, true), camera(0.49f), {}, settings).distance[0], corner, 1e-5);
@@ -119,7 +121,9 @@ TEST(TruthSurface, backFacesShadeAndBlendedOnesDoNot) {
   addQuad(down, {-50, 3, -50}, {100, 0, 0}, {0, 0, 100});
   addQuad(glass, {-50, 3, -50}, {100, 0, 0}, {0, 0, 100}, blend);
   const auto light = [](const scene::Scene& level) {
-    return rendered(level, cameraAt({0, 0, 0}, {0, 0, -1}), {sunAlong({0, -1, 0})}, onePixel({0.05, 1, 0})).scatter[0].r;
+    return rendered(level, cameraAt({0, 0, 0}, {0, 0, -1}), {sunAlong({0, -1, 0})}, onePixel({0.05, 1, 0}))
+        .scatter[0]
+        .r;
   };
   EXPECT_EQ(light(up), 0);
   EXPECT_EQ(light(down), 0);

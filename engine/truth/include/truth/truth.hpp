@@ -23,24 +23,27 @@ struct Medium {
 struct Settings {
   std::uint32_t width = 320;
   std::uint32_t height = 180;
-  double seconds = 0;              ///< time of the animations
+  double seconds = 0;  ///< time of the animations
   Medium medium;
-  /// Shadow rays per view ray and light, at stratum midpoints equally spaced in transmittance over the part of the ray that can be shadowed.
+  /// Shadow rays per view ray and light, at stratum midpoints equally spaced in transmittance over the part of the ray
+  /// that can be shadowed.
   std::uint32_t samples = 1024;
-  unsigned threads = 0;            ///< 0: all cores
-  /// Called now and then with the share done in [0, 1]; return false to cancel.
+  unsigned threads = 0;  ///< 0: all cores
+  /// Called now and then, from the calling thread, with the share done in [0, 1]; return false to cancel.
   std::function<bool(double)> progress;
 };
 
 struct Picture {
   std::uint32_t width = 0, height = 0;
   std::vector<glm::vec4> scatter;  ///< R,G,B in-scattered radiance, A transmittance to the surface; row 0 on top
-  std::vector<float> distance;     ///< along the ray, metres, to the first opaque surface beyond the near plane, else the far plane
+  /// Along the ray, metres, to the first opaque surface beyond the near plane, else the far plane; row 0 on top.
+  std::vector<float> distance;
 };
 
-/// Renders the in-scattered radiance seen from `camera`. Opaque and MASK surfaces (alpha of the full-resolution base-colour texture,
-/// bilinear, against the cutoff) end rays and cast shadows; BLEND surfaces do neither. Back faces of single-sided materials:
-/// not seen by view rays, but they cast shadows. Directional, spot and point lights.
+/// Renders the in-scattered radiance seen from `camera`. Opaque and MASK surfaces (alpha of the full-resolution
+/// base-colour texture, bilinear unless its sampler magnifies with kNearest, against the cutoff) end rays and cast
+/// shadows; BLEND surfaces do neither. Back faces of single-sided materials: not seen by view rays, but they cast
+/// shadows. Directional, spot and point lights.
 Result<Picture> render(const scene::Scene& scene, const scene::CameraView& camera,
                        const std::vector<scene::LightView>& lights, const Settings& settings);
 
