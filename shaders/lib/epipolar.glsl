@@ -2,6 +2,7 @@
 // towards the light. Of a point q: slice azimuth phi about a, inclination theta between q-O and a, and for a directional
 // light the column c = t sin(theta), the distance from the axis. theta is constant along a view ray and grows along a light ray.
 // Peters counts the inclination from the other end (pi - theta); theta is used so that "depth" grows away from the light.
+// Needs lib/medium.glsl before it.
 
 // Inclination of the point at distance c >= 0 from the axis and height s along it. Range [0, pi].
 LIB Real inclination(Real c, Real s) { return atan(c, s); }

@@ -1,0 +1,142 @@
+#include "layout_builder.hpp"
+
+namespace volumetrics {
+namespace {
+
+TyBinding bind(std::uint32_t binding, TySource source, std::uint32_t index, TyAccess access,
+               TySampler sampler = TY_SAMPLER_NEAREST_CLAMP) {
+  TyBinding made{};
+  made.struct_size = sizeof(TyBinding);
+  made.binding = binding;
+  made.source = source;
+  made.index = index;
+  made.access = access;
+  made.sampler = sampler;
+  return made;
+}
+
+}  // namespace
+
+TyBinding uniformAt(std::uint32_t binding, std::uint32_t block) {
+  return bind(binding, TY_SOURCE_UNIFORM, block, TY_ACCESS_UNIFORM);
+}
+TyBinding sceneDepthAt(std::uint32_t binding) { return bind(binding, TY_SOURCE_SCENE_DEPTH, 0, TY_ACCESS_SAMPLED); }
+TyBinding shadowMapAt(std::uint32_t binding) { return bind(binding, TY_SOURCE_SHADOW_MAP, 0, TY_ACCESS_SAMPLED); }
+TyBinding outputAt(std::uint32_t binding, TyAccess access) { return bind(binding, TY_SOURCE_OUTPUT, 0, access); }
+TyBinding sampledAt(std::uint32_t binding, std::uint32_t image, TySampler sampler) {
+  return bind(binding, TY_SOURCE_IMAGE, image, TY_ACCESS_SAMPLED, sampler);
+}
+TyBinding storageAt(std::uint32_t binding, std::uint32_t image, TyAccess access) {
+  return bind(binding, TY_SOURCE_IMAGE, image, access);
+}
+TyBinding bufferAt(std::uint32_t binding, std::uint32_t buffer, TyAccess access) {
+  return bind(binding, TY_SOURCE_BUFFER, buffer, access);
+}
+
+void LayoutBuilder::clear() { *this = LayoutBuilder(); }
+
+std::uint32_t LayoutBuilder::image(const char* name, TyFormat format, std::uint32_t width, std::uint32_t height,
+                                   std::uint32_t layers, bool array) {
+  TyImage made{};
+  made.struct_size = sizeof(TyImage);
+  made.kind = array ? TY_IMAGE_2D_ARRAY : TY_IMAGE_2D;
+  made.name = name;
+  made.format = format;
+  made.width = width;
+  made.height = height;
+  made.depth = layers;
+  made.mips = 1;
+  images_.push_back(made);
+  return static_cast<std::uint32_t>(images_.size() - 1);
+}
+
+std::uint32_t LayoutBuilder::buffer(const char* name, std::uint64_t bytes) {
+  TyBuffer made{};
+  made.struct_size = sizeof(TyBuffer);
+  made.name = name;
+  made.size = bytes;
+  buffers_.push_back(made);
+  return static_cast<std::uint32_t>(buffers_.size() - 1);
+}
+
+std::uint32_t LayoutBuilder::uniform(const char* name, std::uint32_t bytes, bool perLight) {
+  TyUniformBlock made{};
+  made.struct_size = sizeof(TyUniformBlock);
+  made.per_light = perLight ? 1 : 0;
+  made.name = name;
+  made.size = bytes;
+  uniforms_.push_back(made);
+  return static_cast<std::uint32_t>(uniforms_.size() - 1);
+}
+
+void LayoutBuilder::compute(ComputePass pass) {
+  passData_.push_back(std::move(pass));
+  const ComputePass& data = passData_.back();
+  TyPass made{};
+  made.struct_size = sizeof(TyPass);
+  made.kind = TY_PASS_COMPUTE;
+  made.name = data.name;
+  made.shader = data.shader;
+  made.bindings = data.bindings.data();
+  made.binding_count = static_cast<std::uint32_t>(data.bindings.size());
+  made.per_light = data.perDirectionalLight ? 1 : 0;
+  made.light_kinds = data.perDirectionalLight ? 1u << TY_LIGHT_DIRECTIONAL : 0;
+  made.groups[0] = data.groupsX;
+  made.groups[1] = data.groupsY;
+  made.groups[2] = data.groupsZ;
+  made.specializations = data.specializations.data();
+  made.specialization_count = static_cast<std::uint32_t>(data.specializations.size());
+  made.indirect_buffer = TY_NONE;
+  made.caster_uniform = TY_NONE;
+  passes_.push_back(made);
+}
+
+void LayoutBuilder::debugView(const char* name, const char* doc, TySource source, std::uint32_t index, std::uint32_t layer,
+                              std::uint32_t channel, float low, float high) {
+  TyDebugView made{};
+  made.struct_size = sizeof(TyDebugView);
+  made.source = source;
+  made.name = name;
+  made.doc = doc;
+  made.index = index;
+  made.layer = layer;
+  made.channel = channel;
+  made.low = low;
+  made.high = high;
+  views_.push_back(made);
+}
+
+void LayoutBuilder::tunable(std::uint32_t parameter, double automatic, std::vector<double> variants,
+                            std::vector<const char*> passes) {
+  variants_.push_back(std::move(variants));
+  passNames_.push_back(std::move(passes));
+  TyTunable made{};
+  made.struct_size = sizeof(TyTunable);
+  made.parameter = parameter;
+  made.automatic = automatic;
+  made.variants = variants_.back().data();
+  made.variant_count = static_cast<std::uint32_t>(variants_.back().size());
+  made.passes = passNames_.back().data();
+  made.pass_count = static_cast<std::uint32_t>(passNames_.back().size());
+  tunables_.push_back(made);
+}
+
+const TyLayout& LayoutBuilder::finish() {
+  layout_ = {};
+  layout_.struct_size = sizeof(TyLayout);
+  layout_.images = images_.data();
+  layout_.image_count = static_cast<std::uint32_t>(images_.size());
+  layout_.buffers = buffers_.data();
+  layout_.buffer_count = static_cast<std::uint32_t>(buffers_.size());
+  layout_.uniforms = uniforms_.data();
+  layout_.uniform_count = static_cast<std::uint32_t>(uniforms_.size());
+  layout_.passes = passes_.data();
+  layout_.pass_count = static_cast<std::uint32_t>(passes_.size());
+  layout_.debug_views = views_.data();
+  layout_.debug_view_count = static_cast<std::uint32_t>(views_.size());
+  layout_.tunables = tunables_.data();
+  layout_.tunable_count = static_cast<std::uint32_t>(tunables_.size());
+  return layout_;
+}
+
+}  // namespace volumetrics

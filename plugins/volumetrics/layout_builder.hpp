@@ -1,0 +1,60 @@
+// Collects a layout and owns what its C structs point to.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "tyndall/plugin.h"
+
+namespace volumetrics {
+
+/// Shorthands for a pass's bindings.
+TyBinding uniformAt(std::uint32_t binding, std::uint32_t block);
+TyBinding sceneDepthAt(std::uint32_t binding);
+TyBinding shadowMapAt(std::uint32_t binding);
+TyBinding outputAt(std::uint32_t binding, TyAccess access);
+TyBinding sampledAt(std::uint32_t binding, std::uint32_t image, TySampler sampler = TY_SAMPLER_NEAREST_CLAMP);
+TyBinding storageAt(std::uint32_t binding, std::uint32_t image, TyAccess access = TY_ACCESS_STORAGE_WRITE);
+TyBinding bufferAt(std::uint32_t binding, std::uint32_t buffer, TyAccess access);
+
+struct ComputePass {
+  const char* name;
+  const char* shader;
+  std::vector<TyBinding> bindings;
+  std::uint32_t groupsX = 1, groupsY = 1, groupsZ = 1;
+  bool perDirectionalLight = false;
+  std::vector<TySpecialization> specializations;
+};
+
+class LayoutBuilder {
+ public:
+  void clear();
+  std::uint32_t image(const char* name, TyFormat format, std::uint32_t width, std::uint32_t height, std::uint32_t layers = 1,
+                      bool array = false);
+  std::uint32_t buffer(const char* name, std::uint64_t bytes);
+  std::uint32_t uniform(const char* name, std::uint32_t bytes, bool perLight);
+  void compute(ComputePass pass);
+  void debugView(const char* name, const char* doc, TySource source, std::uint32_t index, std::uint32_t layer,
+                 std::uint32_t channel, float low, float high);
+  void tunable(std::uint32_t parameter, double automatic, std::vector<double> variants, std::vector<const char*> passes);
+  /// Valid until the next clear().
+  const TyLayout& finish();
+
+ private:
+  std::vector<TyImage> images_;
+  std::vector<TyBuffer> buffers_;
+  std::vector<TyUniformBlock> uniforms_;
+  std::vector<TyPass> passes_;
+  std::deque<ComputePass> passData_;  // a deque: its elements stay in place
+  std::vector<TyDebugView> views_;
+  std::vector<TyTunable> tunables_;
+  std::deque<std::vector<double>> variants_;
+  std::deque<std::vector<const char*>> passNames_;
+  std::deque<std::string> names_;
+  TyLayout layout_{};
+};
+
+}  // namespace volumetrics

@@ -1,0 +1,118 @@
+// The exported entry: answers the host's calls from the registry of techniques.
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <string>
+
+#include "layout_builder.hpp"
+#include "registry.hpp"
+#include "tyndall/plugin.h"
+
+struct TyInstance {
+  volumetrics::LayoutBuilder builder;
+  const volumetrics::Technique* technique = nullptr;  ///< of the layout last returned; null: nothing to do
+  std::uint32_t localLightsReported = 0;
+};
+
+namespace volumetrics {
+namespace {
+
+const TyHost* host = nullptr;
+
+void say(std::uint32_t level, const std::string& line) {
+  if (host != nullptr && host->log != nullptr) host->log(host->context, level, line.c_str());
+}
+
+bool init(const TyHost* given) {
+  host = given;
+  return true;
+}
+
+void shutdown() { host = nullptr; }
+
+const TyParameter* parameters(std::uint32_t* count) {
+  const auto table = parameterTable();
+  *count = static_cast<std::uint32_t>(table.size());
+  return table.data();
+}
+
+const TyTechnique* listTechniques(std::uint32_t* count, std::uint32_t* selector) {
+  static const std::vector<TyTechnique> list = [] {
+    std::vector<TyTechnique> made;
+    for (const Technique& technique : techniques())
+      made.push_back({sizeof(TyTechnique), static_cast<std::uint32_t>(technique.reads.size()), technique.id, technique.name,
+                      technique.doc, technique.reads.data()});
+    return made;
+  }();
+  *count = static_cast<std::uint32_t>(list.size());
+  *selector = techniqueIndex();
+  return list.data();
+}
+
+TyInstance* create() { return std::make_unique<TyInstance>().release(); }
+void destroy(TyInstance* instance) { const std::unique_ptr<TyInstance> owned(instance); }
+
+/// Says once per change how many lights the techniques built so far cannot scatter, instead of leaving them out in silence.
+void reportLocalLights(TyInstance& instance, const TyStructure& structure, std::uint32_t suns) {
+  const std::uint32_t local = structure.light_count - suns;
+  if (local > instance.localLightsReported)
+    say(TY_LOG_WARNING, std::to_string(local) + " spot or point light(s) light surfaces but scatter nothing yet: only "
+                        "directional lights do");
+  instance.localLightsReported = local;
+}
+
+const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStructure* structure) try {
+  LayoutContext context{*device, *structure, readSettings(structure->values, structure->value_count), 0};
+  for (std::uint32_t i = 0; i < structure->light_count; ++i)
+    context.directionalLights += structure->light_kinds[i] == TY_LIGHT_DIRECTIONAL ? 1 : 0;
+  instance->builder.clear();
+  instance->technique = nullptr;
+  const TyParameter& choice = parameterTable()[techniqueIndex()];
+  const char* name = choice.choices[context.settings.technique];
+  if (context.settings.enabled != 0 && std::string_view(name) != "none") {
+    instance->technique = findTechnique(name);
+    if (instance->technique == nullptr) {
+      say(TY_LOG_ERROR, std::string("volumetrics.technique: '") + name + "' is not built yet");
+      return nullptr;
+    }
+    reportLocalLights(*instance, *structure, context.directionalLights);
+    instance->technique->layout(context, instance->builder);
+  }
+  return &instance->builder.finish();
+} catch (const std::exception& error) {
+  say(TY_LOG_ERROR, std::string("layout failed: ") + error.what());
+  return nullptr;
+}
+
+bool prepare(TyInstance* instance, const TyFrame* frame, const TyUniformData* out) try {
+  if (instance->technique == nullptr) return true;
+  instance->technique->prepare({*frame, *out, readSettings(frame->values, frame->value_count)});
+  return true;
+} catch (const std::exception& error) {
+  say(TY_LOG_ERROR, std::string("prepare failed: ") + error.what());
+  return false;
+}
+
+const void* extension(const char*) { return nullptr; }
+
+}  // namespace
+}  // namespace volumetrics
+
+extern "C" TY_EXPORT const TyPlugin tyndall_plugin;
+const TyPlugin tyndall_plugin = {
+    TY_ABI_VERSION,
+    sizeof(TyPlugin),
+    "volumetrics",
+    "Volumetrics",
+    "0.1.0",
+    "Single scattering in a homogeneous medium: god rays and volumetric shadows.",
+    volumetrics::init,
+    volumetrics::shutdown,
+    volumetrics::parameters,
+    volumetrics::listTechniques,
+    volumetrics::create,
+    volumetrics::destroy,
+    volumetrics::layout,
+    volumetrics::prepare,
+    volumetrics::extension,
+};

@@ -1,0 +1,37 @@
+// How the prefix of moments is stored, by number of moments and precision, with the bias each needs (Peters et al. 2017,
+// sections 2.4, 2.5 and 5.4.3).
+#pragma once
+
+#include "params/table.hpp"
+#include "tyndall/plugin.h"
+
+namespace volumetrics {
+
+struct MomentStorage {
+  TyFormat first;          ///< four moments; or b1 b3 b5 (and b2)
+  TyFormat second;         ///< TY_FORMAT_UNKNOWN for four moments; else b2 b4 b6, or b4 b6
+  TyFormat rectified;      ///< of the rectified map
+  bool quantise;           ///< through the sparse quantisation transform
+  bool threeAndThree;      ///< odd moments in `first`, even ones in `second`
+  float bias;              ///< moment bias alpha_b
+  float evenTarget;        ///< bias vector of four moments: (0, x, 0, x)
+};
+
+/// `moments` is 4 or 6.
+constexpr MomentStorage momentStorage(int moments, Precision precision) {
+  if (moments == 4) {
+    if (precision == Precision::kCompact)
+      return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_UNKNOWN, TY_FORMAT_R16_UNORM, true, false, 6e-5f, 0.628f};
+    return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_UNKNOWN, TY_FORMAT_R32_FLOAT, false, false, 3e-7f, 0.375f};
+  }
+  switch (precision) {
+    case Precision::kCompact:
+      return {TY_FORMAT_A2B10G10R10_UNORM, TY_FORMAT_A2B10G10R10_UNORM, TY_FORMAT_R16_UNORM, true, true, 4e-3f, 0};
+    case Precision::kStandard:
+      return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_RG16_UNORM, TY_FORMAT_R16_UNORM, true, false, 8e-5f, 0};
+    case Precision::kFull: break;
+  }
+  return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_RG32_FLOAT, TY_FORMAT_R32_FLOAT, false, false, 5e-6f, 0};
+}
+
+}  // namespace volumetrics
