@@ -24,6 +24,7 @@ MemoryUse memoryUse(const BufferDesc& desc) {
 
 Buffer::State::~State() { vkDestroyBuffer(device.device, buffer, nullptr); }
 
+Buffer::Buffer() noexcept = default;
 Buffer::Buffer(Buffer&&) noexcept = default;
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
   if (this == &other) return *this;

@@ -57,6 +57,7 @@ Image::State::~State() {
   vkDestroyImage(device.device, image, nullptr);
 }
 
+Image::Image() noexcept = default;
 Image::Image(Image&&) noexcept = default;
 Image& Image::operator=(Image&& other) noexcept {
   if (this == &other) return *this;

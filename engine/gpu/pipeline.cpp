@@ -12,6 +12,7 @@ Pipeline::State::~State() {
   vkDestroyDescriptorSetLayout(device.device, setLayout, nullptr);
 }
 
+Pipeline::Pipeline() noexcept = default;
 Pipeline::Pipeline(Pipeline&&) noexcept = default;
 Pipeline& Pipeline::operator=(Pipeline&& other) noexcept {
   if (this == &other) return *this;

@@ -18,6 +18,7 @@ struct Timestamps::State : Resource {
   }
 };
 
+Timestamps::Timestamps() noexcept = default;
 Timestamps::Timestamps(Timestamps&&) noexcept = default;
 Timestamps& Timestamps::operator=(Timestamps&& other) noexcept {
   if (this == &other) return *this;

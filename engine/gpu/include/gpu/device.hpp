@@ -69,7 +69,7 @@ class Device;
 /// A move-only image with its memory and views. Destroyed only after the GPU has finished the frames that may use it.
 class Image {
  public:
-  Image() = default;
+  Image() noexcept;
   Image(Image&&) noexcept;
   Image& operator=(Image&&) noexcept;
   ~Image();
@@ -94,7 +94,7 @@ struct BufferDesc {
 
 class Buffer {
  public:
-  Buffer() = default;
+  Buffer() noexcept;
   Buffer(Buffer&&) noexcept;
   Buffer& operator=(Buffer&&) noexcept;
   ~Buffer();

@@ -63,7 +63,7 @@ struct GraphicsPipelineDesc {
 /// vkCmdPushConstants takes VK_SHADER_STAGE_ALL.
 class Pipeline {
  public:
-  Pipeline() = default;
+  Pipeline() noexcept;
   Pipeline(Pipeline&&) noexcept;
   Pipeline& operator=(Pipeline&&) noexcept;
   ~Pipeline();
@@ -107,7 +107,7 @@ class Descriptors {
 class Timestamps {
  public:
   static Result<Timestamps> create(Device& device, std::uint32_t capacity);
-  Timestamps() = default;
+  Timestamps() noexcept;
   Timestamps(Timestamps&&) noexcept;
   Timestamps& operator=(Timestamps&&) noexcept;
   ~Timestamps();
