@@ -44,6 +44,9 @@ Result<void> check(VkPhysicalDevice physical, const ImageDesc& d) {
                   std::to_string(most.height) + (d.type == VK_IMAGE_TYPE_3D ? "x" + std::to_string(most.depth) : ""));
   if (d.layers > limits.maxArrayLayers)
     return failed(subject + "this device takes at most " + std::to_string(limits.maxArrayLayers) + " layers");
+  const double bytes = static_cast<double>(d.width) * d.height * d.depth * d.layers * texelBytes(d.format);
+  if (bytes > static_cast<double>(limits.maxResourceSize))
+    return failed(subject + "too large; this device takes images of at most " + std::to_string(limits.maxResourceSize) + " bytes");
   const std::uint32_t longest = std::max({d.width, d.height, d.depth});
   if (d.mips > limits.maxMipLevels || (d.mips > 1 && longest >> (d.mips - 1) == 0))
     return failed(subject + "too many mips for its size");

@@ -81,10 +81,11 @@ class GpuTest : public testing::Test {
   std::uint32_t expectedMessages = 0;
 };
 
-#define TY_EXPECT_OK(result)                                          \
-  do {                                                                \
-    const auto& kept_ = (result);                                     \
-    EXPECT_TRUE(kept_.ok()) << (kept_.ok() ? "" : kept_.error().message); \
-  } while (false)
+template <class R>
+testing::AssertionResult isOk(const char* expression, const R& result) {
+  if (result.ok()) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << expression << ": " << result.error().message;
+}
+#define TY_EXPECT_OK(result) EXPECT_PRED_FORMAT1(isOk, result)
 
 }  // namespace tyndall::gpu::test
