@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ class Plugin {
   const std::filesystem::path& path() const;   ///< the original, not the copy
   const std::vector<params::Parameter>& parameters() const;
   const std::vector<TechniqueInfo>& techniques() const;
-  std::uint32_t selector() const;              ///< index of the parameter that chooses the technique, or TY_NONE
+  std::uint32_t selector() const;              ///< index of the parameter that chooses the technique, or TY_NONE (0xffffffff)
   bool fileChanged() const;                    ///< the original was rebuilt since it was loaded
 
   struct State;
@@ -57,7 +58,9 @@ class PluginEffect : public render::Effect {
   static Result<std::unique_ptr<PluginEffect>> create(gpu::Device& device, Plugin& plugin, const params::Table& table);
   ~PluginEffect() override;
 
+  /// Empty when the plugin has nothing to do, cannot prepare this frame, or failed (see failure()).
   Result<render::ImageRef> addPasses(const render::EffectInput& input) override;
+  /// Of the last addPasses. Where lights take turns in an image, it shows the last light's.
   DebugImage debugImage(const std::string& name) override;
 
   /// Debug views of the current layout (after the first addPasses), or of a layout made for `values` without running.
@@ -69,7 +72,10 @@ class PluginEffect : public render::Effect {
   /// Call once per finished frame with its pass times: feeds the tuner of speed-only variants.
   void frameFinished(const std::vector<render::PassTime>& passes);
   std::vector<std::string> reloadShaders();
-  std::uint64_t memoryBytes() const;   ///< images and buffers of the current layout, each on its own
+  std::uint64_t memoryBytes() const;   ///< images and buffers of the current layout and the output, each on its own
+  /// Why the plugin is off, if its layout was refused or could not be made (also logged, once). A changed setting or shader
+  /// starts anew.
+  const std::optional<Error>& failure() const;
 
   struct State;
  private:

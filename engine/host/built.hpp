@@ -1,0 +1,41 @@
+// A layout made real, and one frame's passes of it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "pipelines.hpp"
+#include "resources.hpp"
+#include "structure.hpp"
+#include "uniforms.hpp"
+
+namespace tyndall::host {
+
+/// Shared with the passes of graphs that are not recorded yet.
+struct Built {
+  Structure structure;
+  Layout layout;
+  std::vector<PassRun> runs;
+  std::vector<std::vector<PassUse>> uses;     ///< of each pass of the layout
+  std::vector<PipelinePtr> pipelines;         ///< of each pass
+  Resources resources;
+  UniformRing uniforms;
+};
+
+/// The graph's names for a layout's resources in one frame.
+struct FrameRefs {
+  std::vector<render::ImageRef> images;
+  std::vector<render::BufferRef> buffers;
+  std::vector<bool> imageHasContents;         ///< false: no pass of this frame writes it
+  render::ImageRef output, depth;
+  std::vector<render::ImageRef> shadowMaps;   ///< of each light
+};
+
+/// Declares all passes of one frame. Passes are named "name", or "name [light 2]" where they repeat per light.
+std::shared_ptr<const FrameRefs> addFramePasses(const render::EffectInput& input, const std::shared_ptr<Built>& built,
+                                                const std::string& owner, std::uint32_t slot);
+
+/// Whether the graph's pass `graphName` is (one light's run of) the layout's pass `name`.
+bool isRunOf(const std::string& graphName, const std::string& name);
+
+}  // namespace tyndall::host

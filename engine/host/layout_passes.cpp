@@ -1,0 +1,103 @@
+// What passes do to resources, and the order in which they run.
+#include <algorithm>
+
+#include "host/layout.hpp"
+
+namespace tyndall::host {
+namespace {
+
+Result<void> join(std::vector<PassUse>& uses, LayoutResource resource, PassAccess access, const LayoutPass& pass) {
+  const auto same = std::find_if(uses.begin(), uses.end(), [&](const PassUse& use) { return use.resource == resource; });
+  if (same == uses.end()) {
+    uses.push_back({resource, access});
+    return {};
+  }
+  // Barriers are for whole resources: one state per pass. Several reads of the same kind are one state.
+  if (same->access == access && (!writesTo(access) || access == PassAccess::kStorageReadWrite)) return {};
+  const char* const kinds[] = {"image", "buffer", "uniform block", "scene depth", "shadow map", "output"};
+  return failed("pass '" + pass.name + "': uses " + kinds[resource.source] + " " + std::to_string(resource.index) +
+                " in two ways at once; use it one way, or split the pass");
+}
+
+PassAccess accessOf(const TyBinding& binding) {
+  switch (binding.access) {
+    case TY_ACCESS_STORAGE_READ: return PassAccess::kStorageRead;
+    case TY_ACCESS_STORAGE_WRITE: return PassAccess::kStorageWrite;
+    case TY_ACCESS_STORAGE_READ_WRITE: return PassAccess::kStorageReadWrite;
+    default: return PassAccess::kSampled;
+  }
+}
+
+}  // namespace
+
+Result<std::vector<PassUse>> usesOf(const Layout&, const LayoutPass& pass) {
+  std::vector<PassUse> uses;
+  for (const TyBinding& binding : pass.bindings) {
+    if (binding.source == TY_SOURCE_UNIFORM) continue;
+    if (auto r = join(uses, {binding.source, binding.index}, accessOf(binding), pass); !r) return r.error();
+  }
+  for (const TyTarget& target : pass.targets)
+    if (auto r = join(uses, {target.source, target.index}, target.load ? PassAccess::kColorReadWrite : PassAccess::kColorWrite, pass); !r)
+      return r.error();
+  if (pass.depthTarget) {
+    const TyTarget& target = *pass.depthTarget;
+    if (auto r = join(uses, {target.source, target.index}, target.load ? PassAccess::kDepthReadWrite : PassAccess::kDepthWrite, pass); !r)
+      return r.error();
+  }
+  if (pass.d.kind == TY_PASS_COMPUTE_INDIRECT)
+    if (auto r = join(uses, {TY_SOURCE_BUFFER, pass.d.indirect_buffer}, PassAccess::kIndirect, pass); !r) return r.error();
+  return uses;
+}
+
+bool readsOld(PassAccess access) {
+  return access != PassAccess::kStorageWrite && access != PassAccess::kColorWrite && access != PassAccess::kDepthWrite;
+}
+
+bool writesTo(PassAccess access) {
+  return access != PassAccess::kSampled && access != PassAccess::kStorageRead && access != PassAccess::kIndirect;
+}
+
+std::vector<PassRun> expandPasses(const Layout& layout, const std::vector<std::uint32_t>& lightKinds) {
+  std::vector<PassRun> runs;
+  const auto count = static_cast<std::uint32_t>(layout.passes.size());
+  for (std::uint32_t first = 0; first < count;) {
+    if (!layout.passes[first].d.per_light) {
+      runs.push_back({first++, TY_NONE});
+      continue;
+    }
+    std::uint32_t end = first;
+    while (end < count && layout.passes[end].d.per_light) ++end;
+    for (std::uint32_t light = 0; light < lightKinds.size(); ++light)
+      for (std::uint32_t p = first; p < end; ++p) {
+        const std::uint32_t kinds = layout.passes[p].d.light_kinds;
+        if (kinds == 0 || (kinds >> lightKinds[light] & 1) != 0) runs.push_back({p, light});
+      }
+    first = end;
+  }
+  return runs;
+}
+
+bool isInteger(std::uint32_t format) { return format >= TY_FORMAT_R32_UINT && format <= TY_FORMAT_RGBA32_UINT; }
+
+std::uint32_t formatBytes(std::uint32_t format) {
+  switch (format) {
+    case TY_FORMAT_R8_UNORM: return 1;
+    case TY_FORMAT_R16_UNORM: case TY_FORMAT_R16_FLOAT: return 2;
+    case TY_FORMAT_RGBA8_UNORM: case TY_FORMAT_A2B10G10R10_UNORM: case TY_FORMAT_RG16_UNORM: case TY_FORMAT_RG16_FLOAT:
+    case TY_FORMAT_R32_FLOAT: case TY_FORMAT_R32_UINT: case TY_FORMAT_D32_FLOAT: return 4;
+    case TY_FORMAT_RGBA16_UNORM: case TY_FORMAT_RGBA16_FLOAT: case TY_FORMAT_RG32_FLOAT: case TY_FORMAT_RG32_UINT: return 8;
+    case TY_FORMAT_RGBA32_FLOAT: case TY_FORMAT_RGBA32_UINT: return 16;
+    default: return 0;
+  }
+}
+
+std::uint64_t imageBytes(const TyImage& image) {
+  std::uint64_t texels = 0;
+  for (std::uint32_t mip = 0; mip < image.mips; ++mip) {
+    const auto side = [mip](std::uint32_t size) { return std::uint64_t{std::max(1u, size >> mip)}; };
+    texels += side(image.width) * side(image.height) * (image.kind == TY_IMAGE_3D ? side(image.depth) : image.depth);
+  }
+  return texels * formatBytes(image.format);
+}
+
+}  // namespace tyndall::host

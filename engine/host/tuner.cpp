@@ -1,0 +1,57 @@
+#include "tuner.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace tyndall::host {
+namespace {
+
+double medianWithoutWarmUp(std::vector<double> times) {
+  times.erase(times.begin());
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  return *middle;
+}
+
+}  // namespace
+
+Tuner::Choice Tuner::current(const std::string& key, const std::vector<double>& variants) {
+  Entry& entry = entries_[key];
+  if (entry.variants == variants) return entry.choice;
+  entry = {variants, std::vector<std::vector<double>>(variants.size()), {}};
+  if (variants.size() == 1) entry.choice.settled = true;
+  if (const double* known = store_.find(key)) {
+    const auto at = std::find(variants.begin(), variants.end(), *known);
+    if (at != variants.end()) entry.choice = {static_cast<std::size_t>(at - variants.begin()), true};
+  }
+  return entry.choice;
+}
+
+void Tuner::add(const std::string& key, std::size_t variant, double milliseconds) {
+  const auto found = entries_.find(key);
+  if (found == entries_.end()) return;
+  Entry& entry = found->second;
+  if (entry.choice.settled || variant != entry.choice.variant) return;
+  entry.times[variant].push_back(milliseconds);
+  if (entry.times[variant].size() < kFrames) return;
+  if (++entry.choice.variant < entry.variants.size()) return;
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < entry.times.size(); ++i)
+    if (medianWithoutWarmUp(entry.times[i]) < medianWithoutWarmUp(entry.times[best])) best = i;
+  entry.choice = {best, true};
+  store_.remember(key, entry.variants[best]);
+}
+
+std::string tunableKey(const std::string& plugin, const std::string& device, const std::string& parameter, const LayoutTunable& tunable,
+                       const Layout& layout) {
+  std::string key = plugin + '|' + device + '|' + parameter + '|';
+  for (const LayoutPass& pass : layout.passes) {
+    if (std::find(tunable.passes.begin(), tunable.passes.end(), pass.name) == tunable.passes.end()) continue;
+    key += pass.name;
+    for (const std::uint32_t groups : pass.d.groups) key += ':' + std::to_string(std::bit_width(groups));
+    key += ' ';
+  }
+  return key;
+}
+
+}  // namespace tyndall::host
