@@ -24,10 +24,11 @@ LIB Real2 clipToHalfPlane(Real2 interval, Real along, Real h) {
 
 // Inclinations theta in [lo, hi] for which A cos(theta) + B sin(theta) >= 0, intersected with `interval` (inside [0, pi]). One
 // side plane of the frustum cuts a slice there: A = n.a, B = n.(cos(phi) e1 + sin(phi) e2).
-// The arc is one interval of length pi about atan2(B, A); inside [0, pi] it stays one interval.
+// The arc is one interval of length pi about atan2(B, A), taken so that its end is not below 0; in [0, pi] it is one interval.
 LIB Real2 clipToFrustumPlane(Real2 interval, Real A, Real B) {
-  Real centre = atan(B, A);
   const Real halfPi = R(1.5707963267948966);
+  Real centre = atan(B, A);
+  centre = centre < -halfPi ? centre + R(4.0) * halfPi : centre;
   return Real2(max(interval.x, centre - halfPi), min(interval.y, centre + halfPi));
 }
 

@@ -7,6 +7,8 @@
 
 namespace volumetrics {
 
+using namespace tyndall::shared;
+
 /// Indices of what the stage made in the layout.
 struct RectifyStage {
   std::uint32_t sliceBuffer = TY_NONE;

@@ -17,12 +17,14 @@ struct MomentStorage {
   float evenTarget;        ///< bias vector of four moments: (0, x, 0, x)
 };
 
-/// `moments` is 4 or 6.
+/// `moments` is 4 or 6. Deviation: four moments in 32-bit float use 2e-6 where the paper found 3e-7 sufficient. With 3e-7 the stress
+/// test (moments_test.cpp) violates the bounds by up to 0.68 where the ray's depth lies on a blocker's; from 1e-6 on it does
+/// not, and the running averages of the prefix add as much rounding again.
 constexpr MomentStorage momentStorage(int moments, Precision precision) {
   if (moments == 4) {
     if (precision == Precision::kCompact)
       return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_UNKNOWN, TY_FORMAT_R16_UNORM, true, false, 6e-5f, 0.628f};
-    return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_UNKNOWN, TY_FORMAT_R32_FLOAT, false, false, 3e-7f, 0.375f};
+    return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_UNKNOWN, TY_FORMAT_R32_FLOAT, false, false, 2e-6f, 0.375f};
   }
   switch (precision) {
     case Precision::kCompact:
