@@ -47,7 +47,8 @@ struct EffectInput {
   const std::vector<ShadowedLight>& lights; ///< only lights that have shadow maps
   bool reset = false;                       ///< a cut: history is worthless
   /// Draws all shadow casters (alpha-tested where needed) inside a caster pass's rendering: every vertex is transformed by
-  /// `clipFromWorld` alone; depth clamp on, both faces, depth as the rendering's target says. Null when not offered.
+  /// `clipFromWorld` alone; depth clamp on, both faces. The rendering has one D32 target and no colour; depth is tested
+  /// LESS_OR_EQUAL and written. Null when not offered.
   std::function<void(PassContext&, const glm::mat4& clipFromWorld)> drawCasters;
 };
 
@@ -73,6 +74,7 @@ struct FrameOutput {
   ImageRef picture;                   ///< RGBA8 unorm, sRGB-coded
   ImageRef scatter;                   ///< RGBA32F, empty when the effect had nothing to do
   ImageRef depth;                     ///< D32, reversed
+  ImageRef color;                     ///< RGBA32F radiance of the surfaces and the sky, before medium, exposure and tone map
 };
 
 /// Name and help of each of the engine's own debug views ("depth", "normal", "base_color", "shadow_map", ...).
@@ -109,7 +111,7 @@ class Renderer {
   std::vector<std::string> reloadShaders();
 
   static std::vector<DebugViewInfo> debugViews();
-  /// Lights that got no shadow map in the last frame, with the reason, one line each.
+  /// What the last frame left out, one line each: lights that got no shadow map, with the reason; what a map cannot cover.
   const std::vector<std::string>& notes() const;
 
   struct State;

@@ -1,0 +1,113 @@
+#include "light_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "culling.hpp"
+
+namespace tyndall::render {
+
+namespace {
+
+constexpr double kBytesPerTexel = 4;  // D32
+
+std::string label(const std::vector<scene::LightView>& lights, std::uint32_t index) {
+  const std::string& name = lights[index].light.name;
+  return "light " + std::to_string(index) + (name.empty() ? "" : " '" + name + "'");
+}
+
+// Irradiance at the eye without shadow and cone: a spot light that points elsewhere may still light what is seen.
+double importance(const View& view, const scene::LightView& light) {
+  const double strength = std::max({light.light.color.r, light.light.color.g, light.light.color.b}) * light.light.intensity;
+  if (light.light.kind == scene::LightKind::kDirectional) return strength;
+  const glm::dvec3 to = glm::dvec3(light.position) - glm::dvec3(view.eye);
+  return strength / std::max(glm::dot(to, to), 0.01);
+}
+
+shared::LightBlock makeBlock(const scene::LightView& view, const ShadowFit& fit, std::uint32_t shadowSize) {
+  const scene::Light& light = view.light;
+  shared::LightBlock block{};
+  block.position = view.position;
+  block.kind = light.kind == scene::LightKind::kDirectional ? shared::kLightDirectional
+               : light.kind == scene::LightKind::kSpot      ? shared::kLightSpot
+                                                            : shared::kLightPoint;
+  block.direction = glm::normalize(view.direction);
+  block.range = light.range.value_or(0.0f);
+  block.intensity = light.color * light.intensity;
+  // KHR_lights_punctual, "Inner and Outer Cone Angles": the floor keeps equal angles from dividing by zero.
+  const float cosOuter = std::cos(light.outerConeAngle);
+  block.spotScale = 1.0f / std::max(0.001f, std::cos(light.innerConeAngle) - cosOuter);
+  block.spotOffset = -cosOuter * block.spotScale;
+  block.texelSize = static_cast<float>(fit.texelSize);
+  block.shadowSize = static_cast<float>(shadowSize);
+  block.faceCount = fit.faceCount;
+  std::copy(fit.clipFromWorld.begin(), fit.clipFromWorld.end(), block.clipFromWorld);
+  return block;
+}
+
+}  // namespace
+
+LightPlan planLights(const View& view, const std::vector<scene::LightView>& lights, const scene::Bounds& casters,
+                     std::uint32_t shadowSize, std::uint64_t budgetBytes) {
+  LightPlan plan;
+  std::vector<std::uint32_t> order(lights.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const bool sunA = lights[a].light.kind == scene::LightKind::kDirectional;
+    const bool sunB = lights[b].light.kind == scene::LightKind::kDirectional;
+    if (sunA != sunB) return sunA;
+    return importance(view, lights[a]) > importance(view, lights[b]);
+  });
+
+  double used = 0;
+  const double face = kBytesPerTexel * shadowSize * shadowSize;
+  for (const std::uint32_t index : order) {
+    const double bytes = face * (lights[index].light.kind == scene::LightKind::kPoint ? 6 : 1);
+    if (used + bytes > static_cast<double>(budgetBytes)) {
+      plan.notes.push_back(label(lights, index) + ": no shadow map; " + std::to_string(budgetBytes >> 20) +
+                           " MiB of shadow maps are used up by more important lights, a lower shadows.resolution makes room");
+      plan.unshadowed.push_back(index);
+      continue;
+    }
+    used += bytes;
+    plan.shadowed.push_back({index, fitShadow(view, lights[index], casters, shadowSize)});
+    const std::string& note = plan.shadowed.back().fit.note;
+    if (!note.empty()) plan.notes.push_back(label(lights, index) + ": " + note);
+  }
+  for (const PlannedLight& light : plan.shadowed) plan.blocks.push_back(makeBlock(lights[light.source], light.fit, shadowSize));
+  for (const std::uint32_t index : plan.unshadowed) plan.blocks.push_back(makeBlock(lights[index], {}, shadowSize));
+  return plan;
+}
+
+void PixelRect::add(const PixelRect& other) {
+  if (other.empty()) return;
+  if (empty()) {
+    *this = other;
+    return;
+  }
+  *this = {std::min(x0, other.x0), std::min(y0, other.y0), std::max(x1, other.x1), std::max(y1, other.y1)};
+}
+
+PixelRect reach(const View& view, const scene::LightView& light) {
+  const PixelRect whole{0, 0, static_cast<std::int32_t>(view.width), static_cast<std::int32_t>(view.height)};
+  if (light.light.kind == scene::LightKind::kDirectional || !light.light.range) return whole;
+  const scene::Bounds box{light.position - *light.light.range, light.position + *light.light.range};
+  const glm::mat4 clipFromWorld = view.clipFromView * view.viewFromWorld;
+  if (!mayBeSeen(box, clipFromWorld, DepthPlanes::kBoth)) return {};
+  glm::vec2 low(1e30f), high(-1e30f);
+  for (const glm::vec3& corner : boxCorners(box, light.position)) {
+    const glm::vec4 clip = clipFromWorld * glm::vec4(corner, 1);
+    if (clip.w <= view.znear) return whole;  // reaches the eye's plane: no rectangle from projected corners
+    low = glm::min(low, glm::vec2(clip) / clip.w);
+    high = glm::max(high, glm::vec2(clip) / clip.w);
+  }
+  const glm::vec2 size(view.width, view.height);
+  // The rectangle is cut to the picture; nothing of the light is lost.
+  low = glm::clamp(glm::floor((low * 0.5f + 0.5f) * size), glm::vec2(0), size);
+  high = glm::clamp(glm::ceil((high * 0.5f + 0.5f) * size), glm::vec2(0), size);
+  return {static_cast<std::int32_t>(low.x), static_cast<std::int32_t>(low.y), static_cast<std::int32_t>(high.x),
+          static_cast<std::int32_t>(high.y)};
+}
+
+}  // namespace tyndall::render

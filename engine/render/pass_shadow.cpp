@@ -1,0 +1,76 @@
+#include <algorithm>
+
+#include "draw_record.hpp"
+#include "passes.hpp"
+
+namespace tyndall::render {
+
+namespace {
+
+ShadowedLight describe(const FrameData& frame, const scene::LightView& light, const ShadowFit& fit, ImageRef map, std::uint32_t size) {
+  ShadowedLight out;
+  out.light = light;
+  out.shadowMap = map;
+  out.faceCount = fit.faceCount;
+  out.size = size;
+  out.clipFromWorld = fit.clipFromWorld;
+  out.casterCorners = boxCorners(frame.draws.casters, frame.view.eye);
+  return out;
+}
+
+}  // namespace
+
+Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame,
+                             const std::vector<scene::LightView>& lights, std::uint32_t size) {
+  CasterPipelines pipelines;
+  for (const bool mask : {false, true}) {
+    Result<const gpu::Pipeline*> made = tools.pipelines.get(casterRecipe(mask));
+    if (!made) return made.error();
+    (mask ? pipelines.mask : pipelines.opaque) = *made;
+  }
+  std::vector<std::pair<std::uint32_t, ShadowedLight>> inFileOrder;
+  for (const PlannedLight& light : frame->plan.shadowed) {
+    gpu::ImageDesc desc;
+    desc.name = "shadow map of light " + std::to_string(light.source);
+    desc.format = kDepthFormat;
+    desc.width = desc.height = size;
+    desc.layers = light.fit.faceCount;
+    const ImageRef map = graph.image(desc);
+    frame->shadowMaps.push_back(map);
+    inFileOrder.emplace_back(light.source, describe(*frame, lights[light.source], light.fit, map, size));
+
+    graph.pass("shadow " + std::to_string(light.source))
+        .use(map, Use::kDepthWrite)
+        .run([frame = FramePointer(frame), pipelines, map, fit = light.fit](PassContext& context) {
+          for (std::uint32_t face = 0; face < fit.faceCount; ++face) {
+            PassContext::DepthAttachment depth{map, true, 1.0f};
+            depth.view.baseLayer = face;
+            depth.view.layerCount = 1;
+            context.beginRendering({}, &depth);
+            if (fit.useful) recordCasters(context, *frame, pipelines, fit.clipFromWorld[face]);
+            context.endRendering();
+          }
+        });
+  }
+  std::sort(inFileOrder.begin(), inFileOrder.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [index, light] : inFileOrder) frame->shadowedLights.push_back(std::move(light));
+  return {};
+}
+
+void bindShadowMaps(PassContext& context, const PassTools& tools, const FrameData& frame, gpu::Descriptors& descriptors,
+                    std::uint32_t binding, std::uint32_t first, std::uint32_t count) {
+  for (std::uint32_t slot = 0; slot < kShadowSlots; ++slot) {
+    if (slot >= count) {
+      descriptors.sampled(binding + slot, tools.unusedMap, tools.samplers.texel);
+      continue;
+    }
+    gpu::ViewDesc whole;
+    whole.array = true;
+    // Beyond a sun's or a spot's map everything is lit; a cube's neighbouring face is better guessed by the edge.
+    const bool cube = frame.plan.shadowed[first + slot].fit.faceCount > 1;
+    descriptors.sampled(binding + slot, context.view(frame.shadowMaps[first + slot], whole),
+                        cube ? tools.samplers.texel : tools.samplers.borderLit);
+  }
+}
+
+}  // namespace tyndall::render

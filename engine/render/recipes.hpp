@@ -1,0 +1,36 @@
+// Every pipeline of the frame as data: shaders, bindings, targets, states. Binding numbers are those of shaders/engine.
+#pragma once
+
+#include <cstdint>
+
+#include "draw_list.hpp"
+#include "pipeline_library.hpp"
+
+namespace tyndall::render {
+
+inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+inline constexpr VkFormat kBaseFormat = VK_FORMAT_R8G8B8A8_SRGB;          ///< base colour, A occlusion
+inline constexpr VkFormat kNormalFormat = VK_FORMAT_R16G16B16A16_UNORM;   ///< normal, metallic / 2 or unlit, roughness
+inline constexpr VkFormat kEmissiveFormat = VK_FORMAT_B10G11R11_UFLOAT_PACK32;
+/// Full floats: a highlight of a real sun (1e5 lux) is beyond half floats, and infinity would survive the composition.
+inline constexpr VkFormat kColorFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+inline constexpr VkFormat kPictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
+inline constexpr VkFormat kDistanceFormat = VK_FORMAT_R32_SFLOAT;
+
+/// Push constants of lighting.frag and transparent.frag.
+struct LightRange { std::uint32_t firstShadowed = 0, shadowedCount = 0, firstUnshadowed = 0, unshadowedCount = 0; };
+/// Push constants of distance.frag and debug_view.frag.
+struct DistancePush { float tangentX, tangentY, width, height, znear, zfar; };
+struct DebugPush { float width, height; std::uint32_t channel; float low, high; };
+
+Recipe gbufferRecipe(Facing facing, bool mask);
+Recipe casterRecipe(bool mask);
+/// `slots`: how many shadow maps the shader reads, at most kShadowSlots.
+Recipe transparentRecipe(Facing facing, std::uint32_t slots);
+/// `base`: the first pass, which also writes sky and emission; others add.
+Recipe lightingRecipe(bool base, std::uint32_t slots);
+Recipe compositeRecipe(bool scatter);
+Recipe distanceRecipe();
+Recipe debugViewRecipe();
+
+}  // namespace tyndall::render

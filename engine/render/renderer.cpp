@@ -1,0 +1,167 @@
+// Puts the frame together: blocks, passes in order, effect, output.
+#include "base/assert.hpp"
+#include "debug_views.hpp"
+#include "draw_record.hpp"
+#include "passes.hpp"
+#include "render/frame.hpp"
+#include "sky.hpp"
+#include "textures.hpp"
+
+namespace tyndall::render {
+
+struct Renderer::State {
+  State(gpu::Device& d, const std::filesystem::path& shaders) : device(d), pipelines(d, shaders), blocks(d), samplers(makeSamplers(d)) {}
+
+  PassTools tools() {
+    gpu::ViewDesc array;
+    array.array = true;
+    return {pipelines, samplers, unusedMap.view(array)};
+  }
+  Result<std::shared_ptr<FrameData>> prepare(const Input& input);
+
+  gpu::Device& device;
+  PipelineLibrary pipelines;
+  BlockRing blocks;
+  FrameSamplers samplers;
+  gpu::Image unusedMap;
+  std::shared_ptr<const SceneResources> resources;
+  std::vector<std::string> notes;
+};
+
+Renderer::~Renderer() = default;
+
+Result<std::unique_ptr<Renderer>> Renderer::create(gpu::Device& device, const std::filesystem::path& shaderFolder) {
+  std::unique_ptr<Renderer> renderer(new Renderer);
+  renderer->state_ = std::make_unique<State>(device, shaderFolder);
+  Result<gpu::Image> white = uploadTexture(device, {"unused shadow map", 1, 1, {255, 255, 255, 255}}, false);
+  if (!white) return white.error();
+  renderer->state_->unusedMap = white.take();
+  // A missing shader folder is told at once, not at the first frame.
+  Result<const gpu::Pipeline*> probe = renderer->state_->pipelines.get(compositeRecipe(false));
+  if (!probe) return probe.error();
+  return renderer;
+}
+
+Result<void> Renderer::setScene(const scene::Scene& scene) {
+  Result<std::shared_ptr<const SceneResources>> uploaded = uploadScene(state_->device, scene);
+  if (!uploaded) return uploaded.error();
+  state_->resources = uploaded.take();
+  return {};
+}
+
+namespace {
+
+shared::ViewBlock makeViewBlock(const View& view, const glm::mat4& clipFromWorld, const std::vector<scene::LightView>& lights) {
+  shared::ViewBlock block{};
+  block.viewFromWorld = view.viewFromWorld;
+  block.worldFromView = view.worldFromView;
+  block.clipFromView = view.clipFromView;
+  block.viewFromClip = view.viewFromClip;
+  block.clipFromWorld = clipFromWorld;
+  block.eye = view.eye;
+  block.znear = view.znear;
+  block.zfar = view.zfar;
+  block.size = {view.width, view.height};
+  block.seconds = static_cast<float>(view.seconds);
+  fillSky(block, lights);
+  return block;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) {
+  auto frame = std::make_shared<FrameData>();
+  frame->view = makeView(input.camera, input.width, input.height);
+  frame->view.seconds = input.seconds;
+  frame->view.frameIndex = input.frameIndex;
+  frame->clipFromWorld = glm::mat4(glm::dmat4(frame->view.clipFromView) * glm::dmat4(frame->view.viewFromWorld));
+  frame->resources = resources;
+  frame->draws = buildDrawList(input.scene, *resources, input.worldFromNode, frame->view.eye);
+  frame->plan = planLights(frame->view, input.lights, frame->draws.casters, input.settings.shadowResolution);
+
+  const shared::ViewBlock view = makeViewBlock(frame->view, frame->clipFromWorld, input.lights);
+  const auto& lightBlocks = frame->plan.blocks;
+  const auto& instances = frame->draws.instances;
+  Result<std::vector<BlockRange>> ranges = blocks.write({{&view, sizeof(view)},
+                                                         {lightBlocks.data(), lightBlocks.size() * sizeof(lightBlocks[0])},
+                                                         {instances.data(), instances.size() * sizeof(instances[0])}});
+  if (!ranges) return ranges.error();
+  frame->viewBlock = (*ranges)[0];
+  frame->lightBlocks = (*ranges)[1];
+  frame->instanceBlocks = (*ranges)[2];
+  return frame;
+}
+
+Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
+  TY_ASSERT(state_->resources, "addFrame before setScene");
+  const VkPhysicalDeviceLimits& limits = state_->device.info().limits;
+  const std::uint32_t largest = limits.maxImageDimension2D;
+  if (input.width == 0 || input.height == 0 || input.width > largest || input.height > largest) {
+    return badCall("picture: size " + std::to_string(input.width) + "x" + std::to_string(input.height) + "; each side must be 1 to " +
+                   std::to_string(largest) + " on this device");
+  }
+  const std::uint32_t shadowSize = input.settings.shadowResolution;
+  if (shadowSize == 0 || shadowSize > largest) {
+    return badCall("shadows.resolution: " + std::to_string(shadowSize) + "; must be 1 to " + std::to_string(largest) + " on this device");
+  }
+
+  Result<std::shared_ptr<FrameData>> prepared = state_->prepare(input);
+  if (!prepared) return prepared.error();
+  const std::shared_ptr<FrameData>& frame = *prepared;
+  const PassTools tools = state_->tools();
+  const std::string& debugView = input.settings.debugView;
+  if (Result<void> r = addShadowPasses(graph, tools, frame, input.lights, shadowSize); !r) return r.error();
+  if (Result<void> r = addGBufferPass(graph, tools, frame, !debugView.empty()); !r) return r.error();
+  if (Result<void> r = addLightingPasses(graph, tools, frame, input.lights); !r) return r.error();
+  if (Result<void> r = addTransparentPass(graph, tools, frame); !r) return r.error();
+
+  FrameOutput output;
+  output.depth = frame->depth;
+  output.color = frame->color;
+  if (input.effect) {
+    CasterPipelines casters;
+    Result<const gpu::Pipeline*> opaque = state_->pipelines.get(casterRecipe(false));
+    if (!opaque) return opaque.error();
+    Result<const gpu::Pipeline*> mask = state_->pipelines.get(casterRecipe(true));
+    if (!mask) return mask.error();
+    casters = {*opaque, *mask};
+    const auto draw = [frame = FramePointer(frame), casters](PassContext& context, const glm::mat4& clipFromWorld) {
+      recordCasters(context, *frame, casters, clipFromWorld);
+    };
+    Result<ImageRef> scatter = input.effect->addPasses({graph, frame->view, frame->depth, frame->shadowedLights, input.reset, draw});
+    if (!scatter) return scatter.error();
+    output.scatter = *scatter;
+  }
+
+  if (debugView.empty()) {
+    Result<ImageRef> picture = addCompositePass(graph, tools, frame->color, output.scatter, input.settings.exposure);
+    if (!picture) return picture.error();
+    output.picture = *picture;
+  } else {
+    Result<Effect::DebugImage> shown = Effect::DebugImage{};
+    if (isEngineDebugView(debugView)) {
+      shown = engineDebugImage(graph, tools, *frame, debugView, output.scatter, input.settings.exposure);
+      if (!shown) return shown.error();
+    } else {
+      TY_ASSERT(input.effect, "debug view '" + debugView + "' is not the engine's and there is no effect");
+      shown = input.effect->debugImage(debugView);
+      TY_ASSERT(shown->image, "debug view '" + debugView + "' is neither the engine's nor the effect's");
+    }
+    Result<ImageRef> picture = addDebugPass(graph, tools, frame->view, *shown);
+    if (!picture) return picture.error();
+    output.picture = *picture;
+  }
+  state_->notes = frame->plan.notes;
+  return output;
+}
+
+ImageRef Renderer::addDistance(Graph& graph, const View& view, ImageRef depth) {
+  Result<ImageRef> distance = addDistancePass(graph, state_->tools(), view, depth);
+  TY_ASSERT(distance.ok(), distance.error().message);
+  return *distance;
+}
+
+std::vector<std::string> Renderer::reloadShaders() { return state_->pipelines.reload(); }
+const std::vector<std::string>& Renderer::notes() const { return state_->notes; }
+
+}  // namespace tyndall::render

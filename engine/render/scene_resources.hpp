@@ -1,0 +1,41 @@
+// A level on the GPU: one vertex buffer, one index buffer, materials, textures.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/result.hpp"
+#include "gpu/device.hpp"
+#include "scene/scene.hpp"
+
+namespace tyndall::render {
+
+struct TextureBinding { VkImageView view = VK_NULL_HANDLE; VkSampler sampler = VK_NULL_HANDLE; };
+
+struct MaterialBindings {
+  /// `alpha` is the base-colour image again, for the alpha test: mip 0 only, bilinear (see material.glsl).
+  TextureBinding baseColor, alpha, metallicRoughness, normal, occlusion, emissive;
+  scene::AlphaMode alphaMode = scene::AlphaMode::kOpaque;
+  bool doubleSided = false;
+};
+
+/// Where a primitive lies in the shared buffers.
+struct DrawRange {
+  std::uint32_t firstIndex = 0, indexCount = 0;
+  std::int32_t vertexOffset = 0;
+  std::uint32_t material = 0;   ///< index into SceneResources::materials
+  scene::Bounds bounds;         ///< mesh space
+};
+
+struct SceneResources {
+  gpu::Buffer vertices, indices, materialBlocks;
+  std::vector<gpu::Image> images;
+  std::vector<std::vector<DrawRange>> meshes;  ///< by mesh, then by primitive
+  std::vector<MaterialBindings> materials;     ///< one more than the scene's: the last is glTF's default material
+};
+
+/// Errors: lack of memory, an image larger than the device takes.
+Result<std::shared_ptr<const SceneResources>> uploadScene(gpu::Device& device, const scene::Scene& scene);
+
+}  // namespace tyndall::render

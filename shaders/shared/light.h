@@ -1,0 +1,28 @@
+// A light as the engine's shaders see it (KHR_lights_punctual) with the matrices of its shadow map.
+#ifndef TYNDALL_SHARED_LIGHT_H
+#define TYNDALL_SHARED_LIGHT_H
+#include "shared/types.h"
+TY_SHARED_BEGIN
+
+#ifdef __cplusplus
+inline constexpr uint kLightDirectional = 0, kLightSpot = 1, kLightPoint = 2;
+#else
+const uint kLightDirectional = 0, kLightSpot = 1, kLightPoint = 2;
+#endif
+
+struct LightBlock {
+  vec3 position;          // spot, point: world, m
+  uint kind;
+  vec3 direction;         // directional, spot: unit, the way the light travels
+  float range;            // m; 0: unlimited
+  vec3 intensity;         // colour times intensity: lux (directional) or candela
+  float spotScale;        // the extension's lightAngleScale and lightAngleOffset
+  float spotOffset;
+  float texelSize;        // directional: m per shadow map texel; others: m per texel at 1 m along the face's axis
+  float shadowSize;       // texels a side
+  uint faceCount;         // 1, or 6 for a point light
+  mat4 clipFromWorld[6];  // of each face; only the first faceCount are used
+};
+
+TY_SHARED_END
+#endif

@@ -1,0 +1,153 @@
+// Radiance of lit and shadowed surfaces against an independent evaluation of the glTF reflection model.
+#include "stage.hpp"
+
+namespace tyndall::render::test {
+namespace {
+
+// glTF 2.0 appendix B in doubles, written from the specification and not from the shaders: radiance towards `v` per unit of
+// irradiance on a plane facing the light, times the cosine.
+double reflect(double albedo, double roughness, const glm::dvec3& n, const glm::dvec3& l, const glm::dvec3& v) {
+  const double pi = std::acos(-1.0), a2 = std::pow(roughness, 4);
+  const glm::dvec3 h = glm::normalize(l + v);
+  const double nl = glm::dot(n, l), nv = glm::dot(n, v), nh = glm::dot(n, h), vh = glm::dot(v, h);
+  const double f = 0.04 + 0.96 * std::pow(1 - vh, 5);
+  const double d = a2 / (pi * std::pow(nh * nh * (a2 - 1) + 1, 2));
+  const double g = 2 * nl / (nl + std::sqrt(a2 + (1 - a2) * nl * nl)) * 2 * nv / (nv + std::sqrt(a2 + (1 - a2) * nv * nv));
+  // Height-correlated Smith, from the lambdas (Heitz 2014, equation 99); g above is the uncorrelated product.
+  const auto lambda = [&](double c) { return (-1 + std::sqrt(1 + a2 * (1 - c * c) / (c * c))) / 2; };
+  const double correlated = 1 / (1 + lambda(nl) + lambda(nv));
+  EXPECT_NEAR(correlated, g, 0.35);
+  return ((1 - f) * albedo / pi + f * d * correlated / (4 * nl * nv)) * nl;
+}
+
+struct Floor {
+  Level level;
+  scene::CameraView camera = lookAt({0, 4, 6}, {0, 0, 0});
+  explicit Floor(float roughness = 1) {
+    scene::Material m = Level::grey(188);
+    m.roughness = roughness;
+    level.quad({0, 0, 0}, {8, 0, 0}, {0, 0, -8}, level.material(m));
+  }
+  // A roof that shadows the floor's middle from above; the camera looks beneath it.
+  void addRoof() { level.quad({0, 7, 0}, {3, 0, 0}, {0, 0, -3}, level.material(Level::grey(100))); }
+};
+
+using LightingTest = FrameTest;
+
+TEST_F(LightingTest, DirectSunlightIsTheBrdfTimesIrradiance) {
+  for (const float roughness : {1.0f, 0.5f}) {
+    Floor lit(roughness), dark(roughness);
+    dark.addRoof();
+    const scene::LightView light = sun({0.2f, -1, 0.1f}, 10);
+    // The sky's light scales with the sun, so the sun's own share is the difference between light and shadow.
+    const Shot a = stage().render(lit.level.scene, lit.camera, {light});
+    const Shot b = stage().render(dark.level.scene, dark.camera, {light});
+    const std::uint32_t x = 32, y = 32;
+    const View view = makeView(lit.camera, a.width, a.height);
+    const glm::vec2 ndc = (glm::vec2(x, y) + 0.5f) / 32.0f - 1.0f;
+    const glm::vec3 ray = glm::normalize(glm::vec3(view.worldFromView * glm::vec4(ndc.x * view.viewFromClip[0][0], ndc.y * view.viewFromClip[1][1], -1, 0)));
+    const double expected = 10 * reflect(linearFromSrgb(188), roughness, {0, 1, 0}, -glm::dvec3(light.direction), -glm::dvec3(ray));
+    EXPECT_NEAR(a.at(x, y).r - b.at(x, y).r, expected, 2e-4 * expected) << "roughness " << roughness;
+    EXPECT_GT(expected, 0.5 * linearFromSrgb(188) * 10 / 3.1416);
+    EXPECT_GT(b.at(x, y).r, 0) << "the sky still lights the shadow";
+    EXPECT_LT(b.at(x, y).r, 0.25 * expected);
+  }
+}
+
+TEST_F(LightingTest, ShadowOfALocalLightLeavesNoDirectLight) {
+  Floor floor;
+  floor.addRoof();
+  const Shot none = stage().render(floor.level.scene, floor.camera, {});
+  for (const scene::LightView& light : {pointLight({0, 9, 0}, 500), spotLight({0, 9, 0}, {0, 0, 0}, 500, 0.9f)}) {
+    const Shot shot = stage().render(floor.level.scene, floor.camera, {light});
+    EXPECT_EQ(shot.at(32, 32), none.at(32, 32));
+    EXPECT_GT(radianceAt(floor.camera, shot, {0, 0, -5.5f}).r, 0.2f) << "beyond the roof's shadow";
+  }
+}
+
+TEST_F(LightingTest, PointLightFallsOffWithDistanceRangeAndCone) {
+  Floor floor;
+  const Shot none = stage().render(floor.level.scene, floor.camera, {});
+  const glm::vec3 place(0.3f, 0, 0.4f);
+  const auto direct = [&](const scene::LightView& light) {
+    return radianceAt(floor.camera, stage().render(floor.level.scene, floor.camera, {light}), place).r -
+           radianceAt(floor.camera, none, place).r;
+  };
+  const float far = direct(pointLight(place + glm::vec3(0, 4, 0), 10)), near = direct(pointLight(place + glm::vec3(0, 2, 0), 10));
+  EXPECT_NEAR(near / far, 4, 0.02);
+  scene::LightView ranged = pointLight(place + glm::vec3(0, 2, 0), 10);
+  ranged.light.range = 3.0f;
+  EXPECT_NEAR(direct(ranged) / near, 1 - std::pow(2.0 / 3.0, 4), 0.01) << "KHR_lights_punctual's window";
+  ranged.light.range = 1.5f;
+  EXPECT_EQ(direct(ranged), 0);
+  // Inside the inner cone a spot light is a point light; outside the outer one it is dark.
+  EXPECT_NEAR(direct(spotLight(place + glm::vec3(0, 2, 0), place, 10, 0.5f)) / near, 1, 1e-4);
+  EXPECT_EQ(direct(spotLight(place + glm::vec3(0, 2, 0), place + glm::vec3(2, 0, 0), 10, 0.5f)), 0);
+}
+
+TEST_F(LightingTest, ManyShadowedLightsAddUp) {
+  Floor floor;
+  floor.level.quad({0.5f, 1.5f, 0}, {0.4f, 0, 0}, {0, 0, -0.4f}, 0);
+  std::vector<scene::LightView> lights{sun({0.3f, -1, 0.2f}, 3), pointLight({1, 4, 1}, 20)};
+  for (int i = 0; i < 7; ++i) {
+    const float a = 0.9f * static_cast<float>(i);
+    lights.push_back(spotLight({3 * std::cos(a), 3, 3 * std::sin(a)}, {0, 0, 0}, 10, 0.5f));
+    if (i % 2) lights.back().light.range = 6.0f;
+  }
+  const Shot all = stage().render(floor.level.scene, floor.camera, lights);
+  EXPECT_EQ(std::count_if(all.passes.begin(), all.passes.end(), [](const PassTime& p) { return p.name.starts_with("lighting"); }), 3);
+  // The sky belongs to the sun: render it once with the sun only and add what each local light adds.
+  const Shot none = stage().render(floor.level.scene, floor.camera, {}), sunny = stage().render(floor.level.scene, floor.camera, {lights[0]});
+  std::vector<glm::vec4> sum = sunny.color;
+  for (std::size_t i = 1; i < lights.size(); ++i) {
+    const Shot one = stage().render(floor.level.scene, floor.camera, {lights[i]});
+    for (std::size_t p = 0; p < sum.size(); ++p) sum[p] += one.color[p] - none.color[p];
+  }
+  for (std::size_t p = 0; p < sum.size(); ++p) ASSERT_NEAR(all.color[p].g, sum[p].g, 2e-4 + 1e-3 * sum[p].g) << "pixel " << p;
+}
+
+TEST_F(LightingTest, APointLightsSixFacesEachShadowTheirSide) {
+  Level level;
+  const std::int32_t wall = level.material(Level::grey(188));
+  for (int face = 0; face < 6; ++face) {
+    glm::vec3 d(0), u(0), v(0);
+    d[face / 2] = face % 2 ? -1.0f : 1.0f;
+    u[(face / 2 + 1) % 3] = 1;
+    v = glm::cross(-d, u);
+    level.quad(5.0f * d, 5.0f * u, 5.0f * v, wall);
+    level.quad(2.0f * d, 0.5f * u, 0.5f * v, wall);
+  }
+  const scene::LightView light = pointLight({0, 0, 0}, 30);
+  for (int face = 0; face < 6; ++face) {
+    glm::vec3 d(0), u(0);
+    d[face / 2] = face % 2 ? -1.0f : 1.0f;
+    u[(face / 2 + 1) % 3] = 1;
+    const scene::CameraView camera = lookAt(2.2f * u, 2.2f * u + 4.9f * d, 1.6f);
+    const Shot dark = stage().render(level.scene, camera, {}), shot = stage().render(level.scene, camera, {light});
+    const glm::vec3 behind = 5.0f * d, beside = 5.0f * d + 2.5f * u;
+    EXPECT_EQ(radianceAt(camera, shot, behind), radianceAt(camera, dark, behind)) << "face " << face;
+    EXPECT_GT(radianceAt(camera, shot, beside).r, radianceAt(camera, dark, beside).r + 0.1f) << "face " << face;
+  }
+}
+
+TEST_F(LightingTest, NoAcneOnTiltedSurfacesAndNoLeaks) {
+  // A floor lit at a grazing angle shadows nothing: each pixel must have all of its light.
+  for (const float slope : {1.0f, 0.3f, 0.1f}) {
+    Floor floor;
+    const scene::LightView light = sun({1, -slope, 0.3f}, 10);
+    Stage::Options options;
+    options.settings.shadowResolution = 256;
+    const Shot shot = stage().render(floor.level.scene, floor.camera, {light}, options);
+    const double cosine = -glm::normalize(light.direction).y;
+    int lit = 0;
+    for (std::size_t p = 0; p < shot.color.size(); ++p) {
+      if (shot.distance[p] > 50) continue;
+      ++lit;
+      ASSERT_GT(shot.color[p].r, 0.8 * 10 * cosine * linearFromSrgb(188) / 3.1416) << "slope " << slope << ", pixel " << p;
+    }
+    EXPECT_GT(lit, 1000);
+  }
+}
+
+}  // namespace
+}  // namespace tyndall::render::test
