@@ -133,7 +133,9 @@ typedef enum TyFormat {
 typedef enum TyImageKind { TY_IMAGE_2D = 0, TY_IMAGE_2D_ARRAY = 1, TY_IMAGE_3D = 2 } TyImageKind;
 
 enum {
-  TY_RESOURCE_HISTORY = 1u << 0 /* kept between frames; undefined after reset. Others are transient: undefined at the frame's start, memory shared */
+  /* Kept between frames; zero after a new layout, worthless after reset. Others are transient: undefined at the frame's
+   * start, their memory shared. A transient that a pass reads must have been written by an earlier pass of the frame. */
+  TY_RESOURCE_HISTORY = 1u << 0
 };
 
 typedef struct TyImage {
@@ -185,6 +187,9 @@ typedef enum TySampler {
   TY_SAMPLER_LINEAR_MIPMAP_CLAMP = 4
 } TySampler;
 
+/* A pass uses each image and each buffer in one way: several sampled bindings of one image are one way, sampling it and
+ * storing to it are two. Full-screen passes sample images, read buffers (TY_ACCESS_STORAGE_READ) and take uniform blocks;
+ * storing is for compute passes. Depth and integer formats take nearest samplers only. */
 typedef struct TyBinding {
   uint32_t struct_size;
   uint32_t binding;        /* set 0, this binding */
@@ -192,7 +197,7 @@ typedef struct TyBinding {
   uint32_t index;
   uint32_t access;         /* TyAccess */
   uint32_t sampler;        /* TySampler, for TY_ACCESS_SAMPLED (a combined image sampler) */
-  uint32_t base_mip, mip_count;     /* mip_count 0: all from base_mip */
+  uint32_t base_mip, mip_count;     /* mip_count 0: all from base_mip (storage access: base_mip alone) */
   uint32_t base_layer, layer_count; /* layer_count 0: all from base_layer */
 } TyBinding;
 
@@ -224,8 +229,9 @@ typedef struct TyTarget {
 typedef struct TyPass {
   uint32_t struct_size;
   uint32_t kind;                 /* TyPassKind */
-  const char* name;              /* shown by the timers: "rectify" */
-  const char* shader;            /* "<name>.comp" or "<name>.frag"; the host finds <name>.<stage>.spv beside the plugin */
+  const char* name;              /* shown by the timers: "rectify"; best unique in the layout */
+  const char* shader;            /* "<name>.comp" or "<name>.frag"; the host finds <plugin id>/<name>.<stage>.spv beside the
+                                  * library. Every binding it declares is among `bindings`. Caster passes: null */
   const TyBinding* bindings;
   uint32_t binding_count;
   uint32_t per_light;            /* 1: run once for each light whose kind is in light_kinds */
@@ -239,7 +245,8 @@ typedef struct TyPass {
   uint32_t depth_compare;        /* 0 always, 1 less-or-equal, 2 greater-or-equal */
   uint32_t indirect_buffer;
   uint64_t indirect_offset;
-  uint32_t caster_uniform;       /* caster passes: uniforms[] block that starts with mat4 clip_from_world */
+  uint32_t caster_uniform;       /* caster passes: uniforms[] block that starts with mat4 clip_from_world. In version 1.0 they
+                                  * draw depth alone: a depth target, no colour target, no binding */
 } TyPass;
 /* Consecutive passes with per_light = 1 form a group. The host runs a group light by light - all passes of the group
  * for light 0, then all for light 1 - so that lights take turns in the same transient memory. */
@@ -256,7 +263,8 @@ typedef struct TyDebugView {
   float low, high;         /* values mapped to black and white */
 } TyDebugView;
 
-/* A buffer that is read back after the frame; names[i] names the i-th uint32 of it ("skipped: fully lit rays"). */
+/* A transient buffer that the host fills with zeros before the first pass and reads back after the frame; names[i] names
+ * the i-th uint32 of it ("skipped: fully lit rays"). */
 typedef struct TyCounters {
   uint32_t struct_size;
   uint32_t buffer;
@@ -264,8 +272,10 @@ typedef struct TyCounters {
   uint32_t name_count;
 } TyCounters;
 
-/* Variants that differ in speed only. When parameter `parameter` has the value `automatic`, the host times the passes
- * named in `passes` once per device with each of `variants` and from then on calls layout() with the fastest. */
+/* Variants that differ in speed only. When the structural parameter `parameter` has the value `automatic`, the host times
+ * the passes named in `passes` once per device with each of `variants` and from then on calls layout() with the fastest.
+ * layout() is called with `automatic` only to learn of the tunables (nothing is run from that layout); layout() and
+ * prepare() then see the variant in the place of the automatic value. */
 typedef struct TyTunable {
   uint32_t struct_size;
   uint32_t parameter;            /* index into the table */
@@ -333,7 +343,7 @@ typedef struct TyFrame {
   const TyLight* lights;         /* as many as in the TyStructure of the current layout, same kinds and order */
   uint32_t light_count;
   uint32_t value_count;
-  const double* values;          /* current parameter values, in table order */
+  const double* values;          /* current parameter values, in table order (tunables: the variant in use) */
 } TyFrame;
 
 /* Where prepare() writes: block i of the layout starts at data[i]; a per-light block of light l at data[i] + l*stride[i]. */
@@ -373,7 +383,7 @@ typedef struct TyInstance TyInstance; /* opaque, the plugin's */
 typedef struct TyPlugin {
   uint32_t abi_version;          /* TY_ABI_VERSION that the plugin was built with: first, read before anything else */
   uint32_t struct_size;
-  const char* id;                /* "volumetrics": folder-safe, unique */
+  const char* id;                /* "volumetrics": of a-z, 0-9 and _, unique; names the folder of shaders beside the library */
   const char* name;
   const char* version;           /* "0.1.0" */
   const char* doc;
@@ -383,10 +393,11 @@ typedef struct TyPlugin {
   /* Called once before unloading, after every instance is destroyed. [main] */
   void (*shutdown)(void);
 
-  /* The parameter table; valid from init to shutdown. [any] */
+  /* The parameter table; valid from init to shutdown. The function may be null: no parameter. [any] */
   const TyParameter* (*parameters)(uint32_t* count);
   /* The techniques that are built; `selector` receives the index of the enum parameter that chooses among them (by
-   * name; other choices of it are refused unless the technique list has them or the choice is "none"), or TY_NONE. [any] */
+   * name; other choices of it are refused unless the technique list has them or the choice is "none"), or TY_NONE. The
+   * function may be null: no technique to choose. [any] */
   const TyTechnique* (*techniques)(uint32_t* count, uint32_t* selector);
 
   TyInstance* (*create)(void);           /* [main] null on failure */
