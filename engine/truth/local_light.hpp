@@ -20,7 +20,7 @@ class LocalLight {
 
   /// Integral of exp(-sigma_t (t + d)) p V a dt over [0, length], in 1/(m sr), where d is the distance to the light and
   /// a its attenuation: times sigma_s and the candela it is the radiance. Strata of equal angle as seen from the light
-  /// (Kulla and Fajardo 2012, "Importance Sampling Techniques for Path Tracing in Participating Media", equation 5),
+  /// (Kulla and Fajardo 2012, "Importance Sampling Techniques for Path Tracing in Participating Media"),
   /// each weighted by Gaussian quadrature of the unshadowed integrand and counted if its middle sees the light.
   double scatter(const glm::dvec3& direction, double length, const Medium& medium, std::uint32_t samples,
                  ShadowRays& rays) const;

@@ -13,7 +13,7 @@ struct Interval {
   double length() const { return end - begin; }
 };
 
-/// Henyey and Greenstein 1941, "Diffuse radiation in the galaxy", equation 2, normalised to 1 over the sphere (1/sr).
+/// Henyey and Greenstein 1941, "Diffuse radiation in the galaxy", normalised to 1 over the sphere (1/sr).
 /// `cosine` is that of the angle between the directions in which light travels before and after scattering: it is 1 for
 /// an eye that looks towards the light, and g > 0 makes that view bright. g in (-1, 1).
 inline double phase(double g, double cosine) {
