@@ -106,10 +106,6 @@ Outputs::~Outputs() {
     if (output.written) fs::remove(output.temporary, ignored);
 }
 
-bool Outputs::wants(const std::string& option) const {
-  return std::any_of(outputs_.begin(), outputs_.end(), [&](const Output& output) { return output.option == option; });
-}
-
 std::vector<fs::path> Outputs::paths() const {
   std::vector<fs::path> all;
   for (const Output& output : outputs_) all.push_back(output.path);

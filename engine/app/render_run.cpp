@@ -12,6 +12,8 @@ namespace {
 constexpr std::uint32_t kWarmUpFrames = 2;
 // More only while the effect is still timing variants of its tunables; this many are more than any list of them needs.
 constexpr std::uint32_t kMaxWarmUpFrames = 64;
+// The host gives each variant this many frames: a tunable that stood for as long has been decided.
+constexpr std::uint32_t kFramesPerVariant = 4;
 
 Result<void> oneFrame(Session& session, const FrameRequest& request, const ReadbackWants& wants, Readback& readback) {
   render::Graph graph(session.device(), session.graphMemory());
@@ -41,16 +43,19 @@ Result<RenderRun> renderFrames(Session& session, const RenderOptions& options, c
   const ReadbackWants wants{!options.picture.empty(), !options.scatter.empty(), !options.depth.empty()};
   RenderRun run;
   std::vector<std::pair<std::string, std::string>> resolved;
+  std::uint32_t unchanged = 0;
   for (std::uint32_t frame = 0; frame < kMaxWarmUpFrames; ++frame) {
     if (auto done = oneFrame(session, request, wants, run.readback); !done) return done.error();
+    if (session.effect().failure()) return *session.effect().failure();
     if (frame == 0 && !options.debugView.empty()) {
       // The effect's views are known once it has a layout.
       if (auto known = unknownView(session, options.debugView); !known) return known.error();
       request.debugView = options.debugView;
     }
-    const bool settled = session.effect().resolved() == resolved;
-    resolved = session.effect().resolved();
-    if (frame + 1 >= kWarmUpFrames && settled) break;
+    const auto now = session.effect().resolved();
+    unchanged = now == resolved ? unchanged + 1 : 0;
+    resolved = now;
+    if (frame + 1 >= kWarmUpFrames && unchanged >= (resolved.empty() ? 1u : kFramesPerVariant)) break;
   }
   std::vector<std::vector<render::PassTime>> frames;
   for (std::uint32_t frame = 0; frame < options.frames; ++frame) {

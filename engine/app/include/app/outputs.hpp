@@ -27,7 +27,6 @@ class Outputs {
   /// Removes what was written and not committed.
   ~Outputs();
 
-  bool wants(const std::string& option) const;
   std::vector<std::filesystem::path> paths() const;
 
  private:
