@@ -1,0 +1,108 @@
+// Node transforms and their animation against closed forms.
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "gltf_file.hpp"
+
+namespace tyndall::scene {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+
+Scene oneNode(AnimationChannel channel, float duration) {
+  Scene s;
+  s.nodes.resize(1);
+  channel.node = 0;
+  s.animations = {{"", duration, {std::move(channel)}}};
+  return s;
+}
+glm::vec3 translationAt(const Scene& s, double t) { return glm::vec3(worldMatrices(s, t)[0][3]); }
+
+TEST(Transforms, ComposeAsTranslationRotationScale) {
+  Scene s;
+  s.nodes.resize(2);
+  s.nodes[0].translation = {10, 0, 0};
+  s.nodes[0].rotation = glm::angleAxis(kPi / 2, glm::vec3(0, 1, 0));  // +x goes to -z
+  s.nodes[0].scale = {2, 2, 2};
+  s.nodes[1].parent = 0;
+  s.nodes[1].translation = {1, 0, 0};
+  const glm::vec3 p(worldMatrices(s, 0)[1] * glm::vec4(1, 0, 0, 1));
+  // 1 + 1 along the child's x, doubled, turned to -z, moved by 10.
+  EXPECT_LT(glm::distance(p, glm::vec3(10, 0, -4)), 1e-5f);
+}
+
+TEST(Transforms, MatrixReplacesTrs) {
+  Scene s;
+  s.nodes.resize(1);
+  s.nodes[0].translation = {9, 9, 9};
+  s.nodes[0].matrix = glm::translate(glm::mat4(1), glm::vec3(1, 2, 3));
+  EXPECT_EQ(glm::vec3(worldMatrices(s, 0)[0][3]), glm::vec3(1, 2, 3));
+}
+
+TEST(Transforms, DeepChainsNeedNoStack) {
+  Scene s;
+  s.nodes.resize(200'000);
+  for (std::size_t i = 0; i < s.nodes.size(); ++i) {
+    s.nodes[i].parent = static_cast<std::int32_t>(i) - 1;
+    s.nodes[i].translation.x = 1;
+  }
+  EXPECT_FLOAT_EQ(worldMatrices(s, 0).back()[3].x, 200'000);
+}
+
+TEST(Animation, LinearStepAndEnds) {
+  const std::vector<glm::vec4> values = {{0, 0, 0, 0}, {4, 0, 0, 0}, {4, 8, 0, 0}};
+  const Scene linear = oneNode({0, AnimationTarget::kTranslation, Interpolation::kLinear, {1, 2, 4}, values}, 8);
+  EXPECT_EQ(translationAt(linear, 0), glm::vec3(0));  // before the first key
+  EXPECT_LT(glm::distance(translationAt(linear, 1.25), glm::vec3(1, 0, 0)), 1e-6f);
+  EXPECT_LT(glm::distance(translationAt(linear, 3.5), glm::vec3(4, 6, 0)), 1e-6f);
+  EXPECT_EQ(translationAt(linear, 5), glm::vec3(4, 8, 0));  // after the last
+  const Scene step = oneNode({0, AnimationTarget::kTranslation, Interpolation::kStep, {1, 2, 4}, values}, 8);
+  EXPECT_EQ(translationAt(step, 1.99), glm::vec3(0));
+  EXPECT_EQ(translationAt(step, 2), glm::vec3(4, 0, 0));
+  EXPECT_EQ(translationAt(step, 3.99), glm::vec3(4, 0, 0));
+}
+
+TEST(Animation, LoopsByItsDuration) {
+  const Scene s = oneNode({0, AnimationTarget::kTranslation, Interpolation::kLinear, {0, 2}, {{0, 0, 0, 0}, {2, 0, 0, 0}}}, 2);
+  for (const double t : {0.5, 2.5, 200.5, -1.5}) EXPECT_NEAR(translationAt(s, t).x, 0.5, 1e-5) << t;
+}
+
+TEST(Animation, CubicSplineReproducesACubic) {
+  // A Hermite segment with the true end slopes is the cubic itself: x(t) = t^3 - 2t, x' = 3t^2 - 2, on [1, 3].
+  const auto x = [](float t) { return t * t * t - 2 * t; };
+  const auto slope = [](float t) { return 3 * t * t - 2; };
+  const Scene s = oneNode({0, AnimationTarget::kTranslation, Interpolation::kCubicSpline, {1, 3},
+                           {{99, 0, 0, 0}, {x(1), 0, 0, 0}, {slope(1), 0, 0, 0}, {slope(3), 0, 0, 0}, {x(3), 0, 0, 0}, {99, 0, 0, 0}}}, 3);
+  for (float t = 1; t < 3; t += 0.125f) EXPECT_NEAR(translationAt(s, t).x, x(t), 1e-4f) << t;
+}
+
+TEST(Animation, RotationTurnsEvenlyTheShorterWay) {
+  // From 0 to 90 degrees about y, the second quaternion with the opposite sign: still the shorter way.
+  const float h = kPi / 4;
+  const Scene s = oneNode({0, AnimationTarget::kRotation, Interpolation::kLinear, {0, 1}, {{0, 0, 0, 1}, {0, -std::sin(h), 0, -std::cos(h)}}}, 2);
+  for (float t = 0; t <= 1; t += 0.125f) {
+    const glm::vec3 x(worldMatrices(s, t)[0][0]);
+    const float angle = t * kPi / 2;
+    EXPECT_LT(glm::distance(x, glm::vec3(std::cos(angle), 0, -std::sin(angle))), 1e-5f) << t;
+  }
+}
+
+TEST(Animation, ReadFromAFileWithItsDefects) {
+  GltfFile f;
+  f.triangle();
+  const int input = f.floats({0, 1, 1, 2}, "SCALAR");  // the third key does not advance
+  const int output = f.floats({0, 0, 0, 1, 0, 0, 5, 5, 5, 2, 0, 0}, "VEC3");
+  f.json["animations"] = {{{"samplers", {{{"input", input}, {"output", output}}}},
+                           {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}},
+                                         {{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
+  auto loaded = f.load();
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  EXPECT_EQ(loaded->warnings.size(), 2u);
+  ASSERT_EQ(loaded->scene.animations.size(), 1u);
+  EXPECT_EQ(loaded->scene.animations[0].channels[0].times, (std::vector<float>{0, 1, 2}));
+  EXPECT_NEAR(translationAt(loaded->scene, 1.5).x, 1.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace tyndall::scene
