@@ -43,7 +43,7 @@ Result<Timestamps> Timestamps::create(Device& device, std::uint32_t capacity) {
   return made;
 }
 
-std::uint32_t Timestamps::capacity() const { return state_->capacity; }
+std::uint32_t Timestamps::capacity() const { return state_ ? state_->capacity : 0; }
 
 void Timestamps::begin(VkCommandBuffer commands) {
   state_->written = 0;
