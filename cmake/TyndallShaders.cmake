@@ -1,4 +1,5 @@
-# tyndall_shaders(TARGET OUTPUT_DIR SUBDIR SOURCES...)
+# tyndall_shaders(TARGET OUTPUT_DIR SOURCES...)
+# SOURCES are <name>.<vert|frag|comp|geom>.glsl.
 # Compiles each GLSL source to SPIR-V with glslangValidator (with a dependency file, so that a changed include
 # rebuilds it) into OUTPUT_DIR/<file name>.spv, and writes beside it <file name>.spv.json, which names the source and the include
 # directories so that a running program can compile the shader again.
@@ -10,6 +11,9 @@ function(tyndall_shaders target output_dir)
     get_filename_component(name ${source} NAME)
     string(REGEX REPLACE "\\.glsl$" "" stem ${name})
     string(REGEX MATCH "(vert|frag|comp|geom)$" stage ${stem})
+    if(NOT stage)
+      message(FATAL_ERROR "${source}: a shader's name ends in .vert.glsl, .frag.glsl, .comp.glsl or .geom.glsl")
+    endif()
     set(spv ${output_dir}/${stem}.spv)
     set(includes ${TYNDALL_SHADER_INCLUDES} ${CMAKE_CURRENT_SOURCE_DIR})
     set(flags)
