@@ -43,7 +43,9 @@ TEST(DrawList, OrdersOpaqueFrontToBackAndBlendedBackToFront) {
   for (std::size_t i = 1; i < list.solid.size(); ++i) {
     const Draw &a = list.solid[i - 1], &b = list.solid[i];
     EXPECT_LE(a.mask, b.mask) << "one change of pipeline";
-    if (a.mask == b.mask) EXPECT_LE(a.distance, b.distance);
+    if (a.mask == b.mask) {
+      EXPECT_LE(a.distance, b.distance);
+    }
   }
   for (std::size_t i = 1; i < list.blended.size(); ++i) EXPECT_GE(list.blended[i - 1].distance, list.blended[i].distance);
   // Casters: everything but the blended ones (z -9 -12 -3 -6 for those; solids reach from -2 to -13).
@@ -91,8 +93,12 @@ TEST(Culling, NeverDropsABoxWithAVisiblePoint) {
       inPrism = inPrism || sides;
       visible = visible || (sides && c.z >= 0 && c.z <= c.w);
     }
-    if (visible) EXPECT_TRUE(mayBeSeen(box, m, DepthPlanes::kBoth));
-    if (inPrism) EXPECT_TRUE(mayBeSeen(box, m, DepthPlanes::kClamped));
+    if (visible) {
+      EXPECT_TRUE(mayBeSeen(box, m, DepthPlanes::kBoth));
+    }
+    if (inPrism) {
+      EXPECT_TRUE(mayBeSeen(box, m, DepthPlanes::kClamped));
+    }
     seen += visible;
     dropped += !mayBeSeen(box, m, DepthPlanes::kBoth);
   }
