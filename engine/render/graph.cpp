@@ -11,8 +11,9 @@ Graph::~Graph() = default;
 
 ImageRef Graph::image(const gpu::ImageDesc& desc, std::string_view owner) {
   TY_ASSERT(!state_->compiled, "image '" + desc.name + "' declared after compile()");
-  TY_ASSERT(desc.format != VK_FORMAT_UNDEFINED && desc.width > 0 && desc.height > 0 && desc.depth > 0 && desc.layers > 0 &&
-                desc.mips > 0, "image '" + desc.name + "' lacks a format or has no texels");
+  TY_ASSERT(desc.format != VK_FORMAT_UNDEFINED && desc.width > 0 && desc.height > 0 && desc.depth > 0 &&
+                desc.layers > 0 && desc.mips > 0,
+            "image '" + desc.name + "' lacks a format or has no texels");
   GraphResource resource;
   resource.owner = owner;
   resource.imageDesc = desc;

@@ -1,13 +1,14 @@
-// Barriers from uses. Each resource is a timeline of uses by kept passes, cut into spans: a write is a span, and so is a run
-// of reads in one layout. Exactly one barrier stands at the start of each span; its target is the whole span, so that reads
-// after reads need none. Its source is the span before:
+// Barriers from uses. Each resource is a timeline of uses by kept passes, cut into spans: a write is a span, and so is
+// a run of reads in one layout. Exactly one barrier stands at the start of each span; its target is the whole span, so
+// that reads after reads need none. Its source is the span before:
 //   after a write   its stages and its writes, to be made available;
 //   after reads     their stages alone: their own barrier has made the write before them available, and the chain of
 //                   execution dependencies through them orders the rest.
-// The first span of an import waits for every earlier command. The first span of a transient waits for the last spans of
-// everything that lies on the same memory, itself included. The last span, not an earlier one: all spans of a resource are
-// chained by their barriers. Frames in flight overlap on the queue and use the same memory; a barrier's source reaches over
-// submissions on one queue, so the same wait covers the last frame, and the plan is the same for every frame.
+// The first span of an import waits for every earlier command. The first span of a transient waits for the last spans
+// of everything that lies on the same memory, itself included. The last span, not an earlier one: all spans of a
+// resource are chained by their barriers. Frames in flight overlap on the queue and use the same memory; a barrier's
+// source reaches over submissions on one queue, so the same wait covers the last frame, and the plan is the same for
+// every frame.
 #include <algorithm>
 
 #include "graph_plan.hpp"
@@ -19,7 +20,7 @@ struct Span {
   std::uint32_t firstPass = 0;
   VkPipelineStageFlags2 stages = 0;
   VkAccessFlags2 access = 0, writes = 0;
-  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;   // buffers: always UNDEFINED
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  // buffers: always UNDEFINED
 };
 
 using Timeline = std::vector<Span>;
@@ -32,8 +33,8 @@ std::vector<Timeline> timelines(const Input& input, const std::vector<bool>& kep
       const UseInfo info = useInfo(use.use);
       const VkImageLayout layout = input.resources[use.resource].isBuffer ? VK_IMAGE_LAYOUT_UNDEFINED : info.layout;
       Timeline& timeline = result[use.resource];
-      const bool continuesRun = !timeline.empty() && timeline.back().writes == 0 && info.writeAccess == 0 &&
-                                timeline.back().layout == layout;
+      const bool continuesRun =
+          !timeline.empty() && timeline.back().writes == 0 && info.writeAccess == 0 && timeline.back().layout == layout;
       if (continuesRun) {
         timeline.back().stages |= info.stages;
         timeline.back().access |= info.access;
@@ -82,7 +83,8 @@ void beginTransients(const std::vector<Timeline>& all, const Input& input, const
     const bool isBuffer = input.resources[placement.resource].isBuffer;
     const Span& first = timeline.front();
     std::vector<Barrier>& list = barriers.before[first.firstPass];
-    // An image barrier makes available only what was written through that image; a tenant before it wrote through another.
+    // An image barrier makes available only what was written through that image; a tenant before it wrote through
+    // another.
     if (shared || isBuffer) add(list, between(Barrier::kMemory, true, from, VK_IMAGE_LAYOUT_UNDEFINED, first));
     if (!isBuffer) add(list, between(placement.resource, false, from, VK_IMAGE_LAYOUT_UNDEFINED, first));
   }

@@ -10,13 +10,14 @@ void Graph::State::describe() {
   input = {};
   for (const GraphResource& resource : resources) {
     const gpu::ImageDesc& desc = resource.imageDesc;
-    input.resources.push_back({.name = resource.isBuffer ? resource.bufferDesc.name : desc.name,
-                               .isBuffer = resource.isBuffer,
-                               .imported = resource.imported(),
-                               .hostVisible = resource.isBuffer && resource.bufferDesc.hostVisible,
-                               .singleSubresource = !resource.isBuffer && desc.mips == 1 && desc.layers == 1 && desc.depth == 1,
-                               .layoutBefore = resource.before,
-                               .layoutAfter = resource.after});
+    input.resources.push_back(
+        {.name = resource.isBuffer ? resource.bufferDesc.name : desc.name,
+         .isBuffer = resource.isBuffer,
+         .imported = resource.imported(),
+         .hostVisible = resource.isBuffer && resource.bufferDesc.hostVisible,
+         .singleSubresource = !resource.isBuffer && desc.mips == 1 && desc.layers == 1 && desc.depth == 1,
+         .layoutBefore = resource.before,
+         .layoutAfter = resource.after});
   }
   for (const GraphPass& pass : passes) {
     TY_ASSERT(pass.record, "pass '" + pass.name + "' has no run()");

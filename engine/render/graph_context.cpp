@@ -9,9 +9,10 @@ namespace tyndall::render {
 Use Graph::State::useOf(std::uint32_t id) const {
   TY_ASSERT(currentPass != ~0u, "a PassContext outlived its pass");
   const GraphPass& pass = passes[currentPass];
-  const auto found = std::find_if(pass.uses.begin(), pass.uses.end(), [&](const plan::ResourceUse& u) { return u.resource == id; });
-  TY_ASSERT(found != pass.uses.end(),
-            "pass '" + pass.name + "' did not declare its use of '" + (id < input.resources.size() ? input.resources[id].name : "?") + "'");
+  const auto found =
+      std::find_if(pass.uses.begin(), pass.uses.end(), [&](const plan::ResourceUse& u) { return u.resource == id; });
+  TY_ASSERT(found != pass.uses.end(), "pass '" + pass.name + "' did not declare its use of '" +
+                                          (id < input.resources.size() ? input.resources[id].name : "?") + "'");
   return found->use;
 }
 
@@ -23,7 +24,8 @@ VkImage Graph::State::imageHandle(const GraphResource& resource) const {
 VkImageView Graph::State::imageView(const GraphResource& resource, const gpu::ViewDesc& view) const {
   if (resource.image) return resource.image->view(view);
   if (!resource.rawImage) return memory.resources[resource.physical].image->view(view);
-  TY_ASSERT(view == gpu::ViewDesc{} && resource.rawView, "'" + resource.imageDesc.name + "' came with one view of its whole only");
+  TY_ASSERT(view == gpu::ViewDesc{} && resource.rawView,
+            "'" + resource.imageDesc.name + "' came with one view of its whole only");
   return resource.rawView;
 }
 

@@ -11,22 +11,26 @@ std::string findMistake(const Input& input) {
     const ResourceInput& resource = input.resources[i];
     hasContents[i] = resource.imported && (resource.isBuffer || resource.layoutBefore != VK_IMAGE_LAYOUT_UNDEFINED);
     if (resource.hostVisible && !resource.imported)
-      return "buffer '" + resource.name + "' is transient and host-visible: frames overlap, so import one per frame in flight";
+      return "buffer '" + resource.name +
+             "' is transient and host-visible: frames overlap, so import one per frame in flight";
   }
   for (const PassInput& pass : input.passes) {
     std::vector<std::uint32_t> seen;
     for (const ResourceUse& use : pass.uses) {
       if (use.resource >= input.resources.size())
-        return "pass '" + pass.name + "' uses resource " + std::to_string(use.resource) + ", which this graph does not have";
+        return "pass '" + pass.name + "' uses resource " + std::to_string(use.resource) +
+               ", which this graph does not have";
       const ResourceInput& resource = input.resources[use.resource];
       const UseInfo info = useInfo(use.use);
-      const std::string what = "pass '" + pass.name + "', '" + resource.name + "' as " + useName(use.use) + ": ";
+      const auto mistake = [&](const char* what) {
+        return "pass '" + pass.name + "', '" + resource.name + "' as " + useName(use.use) + ": " + what;
+      };
       if (std::find(seen.begin(), seen.end(), use.resource) != seen.end())
-        return what + "a pass uses a resource in one way only";
+        return mistake("a pass uses a resource in one way only");
       seen.push_back(use.resource);
       if (resource.isBuffer ? info.bufferUsage == 0 : info.layout == VK_IMAGE_LAYOUT_UNDEFINED)
-        return what + (resource.isBuffer ? "not a use of buffers" : "not a use of images");
-      if (info.reads && !hasContents[use.resource]) return what + "reads what nobody wrote";
+        return mistake(resource.isBuffer ? "not a use of buffers" : "not a use of images");
+      if (info.reads && !hasContents[use.resource]) return mistake("reads what nobody wrote");
     }
     for (const ResourceUse& use : pass.uses)
       if (writes(use.use)) hasContents[use.resource] = true;
@@ -36,7 +40,7 @@ std::string findMistake(const Input& input) {
 
 std::vector<bool> cull(const Input& input) {
   std::vector<bool> kept(input.passes.size());
-  std::vector<bool> needed(input.resources.size());   // contents at this point of the backward walk
+  std::vector<bool> needed(input.resources.size());  // contents at this point of the backward walk
   for (std::size_t p = input.passes.size(); p-- > 0;) {
     const PassInput& pass = input.passes[p];
     bool keep = pass.keep;

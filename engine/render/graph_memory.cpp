@@ -1,9 +1,9 @@
 // Physical transients and their shared memory from frame to frame.
 //
 // Two frames in flight use the same memory. That is right because both are submitted to one queue: the barrier before a
-// transient's first use waits for the last uses of everything on its memory, and a barrier's source scope holds all earlier
-// commands of the queue, those of the frame before included (graph_barriers.cpp). What it costs is overlap of two frames
-// on the GPU, what it saves is half of the memory.
+// transient's first use waits for the last uses of everything on its memory, and a barrier's source scope holds all
+// earlier commands of the queue, those of the frame before included (graph_barriers.cpp). What it costs is overlap of
+// two frames on the GPU, what it saves is half of the memory.
 #include <algorithm>
 
 #include "graph_state.hpp"
@@ -28,7 +28,8 @@ Result<VkMemoryRequirements> GraphMemory::State::requirementsOf(const PhysicalRe
   // The device refuses the description; making one says why.
   if (wanted.isBuffer) {
     auto refused = device.createBuffer(wanted.bufferDesc);
-    return refused ? failed("buffer '" + wanted.bufferDesc.name + "': the device names no size for it") : refused.error();
+    return refused ? failed("buffer '" + wanted.bufferDesc.name + "': the device names no size for it")
+                   : refused.error();
   }
   auto refused = device.createImage(wanted.imageDesc);
   return refused ? failed("image '" + wanted.imageDesc.name + "': the device names no size for it") : refused.error();
@@ -39,10 +40,9 @@ Result<void> GraphMemory::State::realize(std::vector<Heap> newHeaps, std::vector
   const auto sameHeap = [](const Heap& a, const Heap& b) {
     return a.isBuffer == b.isBuffer && a.memoryTypes == b.memoryTypes && a.alignment == b.alignment && a.size == b.size;
   };
-  const bool unchanged =
-      std::equal(heaps.begin(), heaps.end(), newHeaps.begin(), newHeaps.end(), sameHeap) &&
-      std::equal(resources.begin(), resources.end(), newResources.begin(), newResources.end(),
-                 [](const PhysicalResource& a, const PhysicalResource& b) { return a.sameAs(b); });
+  const bool unchanged = std::equal(heaps.begin(), heaps.end(), newHeaps.begin(), newHeaps.end(), sameHeap) &&
+                         std::equal(resources.begin(), resources.end(), newResources.begin(), newResources.end(),
+                                    [](const PhysicalResource& a, const PhysicalResource& b) { return a.sameAs(b); });
   if (unchanged) return {};
 
   // Let go first: the allocator may reuse what no frame in flight holds.

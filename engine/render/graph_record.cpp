@@ -31,7 +31,8 @@ void Graph::State::recordBarriers(VkCommandBuffer commands, const std::vector<pl
       b.dstAccessMask = barrier.targetAccess;
     } else {
       const GraphResource& resource = resources[barrier.resource];
-      VkImageMemoryBarrier2& b = imageBarriers.emplace_back(VkImageMemoryBarrier2{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2});
+      VkImageMemoryBarrier2& b =
+          imageBarriers.emplace_back(VkImageMemoryBarrier2{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2});
       b.srcStageMask = barrier.sourceStages;
       b.srcAccessMask = barrier.sourceAccess;
       b.dstStageMask = barrier.targetStages;
@@ -40,7 +41,8 @@ void Graph::State::recordBarriers(VkCommandBuffer commands, const std::vector<pl
       b.newLayout = barrier.newLayout;
       b.srcQueueFamilyIndex = b.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
       b.image = imageHandle(resource);
-      b.subresourceRange = {aspectOf(resource.imageDesc.format), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+      b.subresourceRange = {aspectOf(resource.imageDesc.format), 0, VK_REMAINING_MIP_LEVELS, 0,
+                            VK_REMAINING_ARRAY_LAYERS};
     }
   }
   if (memoryBarriers.empty() && imageBarriers.empty()) return;
@@ -70,9 +72,11 @@ void endLabel(VkCommandBuffer commands) {
 void Graph::record(VkCommandBuffer commands, gpu::Timestamps* timestamps) {
   State& s = *state_;
   TY_ASSERT(s.compiled, "record() before compile()");
-  TY_ASSERT(s.compileId == s.memory.compiles, "another graph has compiled on this GraphMemory since; record before that");
-  TY_ASSERT(!timestamps || timestamps->capacity() >= s.statistics.passesRun,
-            std::to_string(timestamps->capacity()) + " timestamps for " + std::to_string(s.statistics.passesRun) + " passes");
+  TY_ASSERT(s.compileId == s.memory.compiles,
+            "another graph has compiled on this GraphMemory since; record before that");
+  TY_ASSERT(
+      !timestamps || timestamps->capacity() >= s.statistics.passesRun,
+      std::to_string(timestamps->capacity()) + " timestamps for " + std::to_string(s.statistics.passesRun) + " passes");
 
   std::uint32_t lastPass = ~0u;
   for (std::uint32_t p = 0; p < s.passes.size(); ++p)
@@ -88,7 +92,8 @@ void Graph::record(VkCommandBuffer commands, gpu::Timestamps* timestamps) {
     PassContext context(s, commands);
     pass.record(context);
     TY_ASSERT(!s.rendering, "pass '" + pass.name + "' lacks endRendering()");
-    if (p == lastPass) s.recordBarriers(commands, s.barriers.after);   // inside the last span, so that spans sum to the frame
+    if (p == lastPass)
+      s.recordBarriers(commands, s.barriers.after);  // inside the last span, so that spans sum to the frame
     endLabel(commands);
     if (timestamps) timestamps->mark(commands);
   }

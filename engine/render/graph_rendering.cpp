@@ -8,22 +8,25 @@ namespace tyndall::render {
 namespace {
 
 bool rangesMeet(std::uint32_t baseA, std::uint32_t countA, std::uint32_t baseB, std::uint32_t countB) {
-  const std::uint64_t endA = countA ? std::uint64_t{baseA} + countA : ~0ull, endB = countB ? std::uint64_t{baseB} + countB : ~0ull;
+  const std::uint64_t endA = countA ? std::uint64_t{baseA} + countA : ~0ull,
+                      endB = countB ? std::uint64_t{baseB} + countB : ~0ull;
   return baseA < endB && baseB < endA;
 }
 
 bool viewsMeet(const gpu::ViewDesc& a, const gpu::ViewDesc& b) {
-  return rangesMeet(a.baseMip, a.mipCount, b.baseMip, b.mipCount) && rangesMeet(a.baseLayer, a.layerCount, b.baseLayer, b.layerCount);
+  return rangesMeet(a.baseMip, a.mipCount, b.baseMip, b.mipCount) &&
+         rangesMeet(a.baseLayer, a.layerCount, b.baseLayer, b.layerCount);
 }
 
 // A pass that renders to the same texels twice: two renderings are not ordered by themselves.
 void betweenRenderings(VkCommandBuffer commands) {
   VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
   barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT |
-      VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+                                                VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
+                                                VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
   barrier.srcAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
-  barrier.dstAccessMask = barrier.srcAccessMask | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT |
-      VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
+  barrier.dstAccessMask =
+      barrier.srcAccessMask | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
   VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
   info.memoryBarrierCount = 1;
   info.pMemoryBarriers = &barrier;
@@ -38,19 +41,21 @@ VkAttachmentLoadOp loadOp(bool clear, Use use, bool renderedBefore) {
 
 }  // namespace
 
-void PassContext::beginRendering(std::vector<ColorAttachment> colors, const DepthAttachment* depth, std::uint32_t layers) {
+void PassContext::beginRendering(std::vector<ColorAttachment> colors, const DepthAttachment* depth,
+                                 std::uint32_t layers) {
   const std::string& pass = graph_.passes[graph_.currentPass].name;
   TY_ASSERT(!graph_.rendering, "pass '" + pass + "' began rendering twice");
   TY_ASSERT(!colors.empty() || depth, "pass '" + pass + "' renders to nothing");
-  const std::size_t renderedEarlier = graph_.rendered.size();   // this rendering's attachments are appended behind
+  const std::size_t renderedEarlier = graph_.rendered.size();  // this rendering's attachments are appended behind
   VkExtent2D extent{};
   bool again = false;
   const auto attach = [&](ImageRef image, const gpu::ViewDesc& view, bool clear) {
     const gpu::ImageDesc& d = desc(image);
     const VkExtent2D size{std::max(1u, d.width >> view.baseMip), std::max(1u, d.height >> view.baseMip)};
     TY_ASSERT(extent.width == 0 || (extent.width == size.width && extent.height == size.height),
-              "pass '" + pass + "' renders to images of different sizes: '" + d.name + "' is " + std::to_string(size.width) + "x" +
-                  std::to_string(size.height) + ", the first " + std::to_string(extent.width) + "x" + std::to_string(extent.height));
+              "pass '" + pass + "' renders to images of different sizes: '" + d.name + "' is " +
+                  std::to_string(size.width) + "x" + std::to_string(size.height) + ", the first " +
+                  std::to_string(extent.width) + "x" + std::to_string(extent.height));
     extent = size;
     const Use use = graph_.useOf(image.id);
     const UseInfo info = useInfo(use);

@@ -11,16 +11,16 @@ namespace tyndall::render {
 /// A physical transient, kept from frame to frame.
 struct PhysicalResource {
   bool isBuffer = false;
-  gpu::ImageDesc imageDesc;     ///< with the derived usage
+  gpu::ImageDesc imageDesc;  ///< with the derived usage
   gpu::BufferDesc bufferDesc;
   std::uint32_t heap = 0;
   std::uint64_t offset = 0;
   std::optional<gpu::Image> image;
   std::optional<gpu::Buffer> buffer;
-  plan::Pending pending;        ///< what the frame recorded last left on its memory
+  plan::Pending pending;  ///< what the frame recorded last left on its memory
 
   bool sameDesc(const PhysicalResource& other) const;
-  bool sameAs(const PhysicalResource& other) const;   ///< description and place
+  bool sameAs(const PhysicalResource& other) const;  ///< description and place
 };
 
 /// Resources of different memory types, and images and buffers (bufferImageGranularity), never share memory.
@@ -37,7 +37,7 @@ struct GraphMemory::State {
   std::vector<PhysicalResource> resources;
   /// Requirements of the resources above, so that the driver is asked once per description and not once per frame.
   std::vector<VkMemoryRequirements> requirements;
-  std::uint64_t compiles = 0;   ///< the graph compiled last owns `resources` until the next one compiles
+  std::uint64_t compiles = 0;  ///< the graph compiled last owns `resources` until the next one compiles
 
   explicit State(gpu::Device& d) : device(d) {}
   /// Errors: what the device refuses to make.
@@ -59,7 +59,7 @@ struct GraphResource {
   VkImage rawImage = VK_NULL_HANDLE;
   VkImageView rawView = VK_NULL_HANDLE;
   // Transients, after compile():
-  std::uint32_t physical = ~0u;   ///< index into GraphMemory's resources; ~0: no kept pass uses it
+  std::uint32_t physical = ~0u;  ///< index into GraphMemory's resources; ~0: no kept pass uses it
   VkDeviceSize bytes = 0;
 
   bool imported() const { return image || buffer || rawImage; }
@@ -85,8 +85,11 @@ struct Graph::State {
   GraphStatistics statistics;
   // While recording:
   std::uint32_t currentPass = ~0u;
-  struct Rendered { std::uint32_t resource; gpu::ViewDesc view; };
-  std::vector<Rendered> rendered;   ///< attachments of the current pass's earlier renderings
+  struct Rendered {
+    std::uint32_t resource;
+    gpu::ViewDesc view;
+  };
+  std::vector<Rendered> rendered;  ///< attachments of the current pass's earlier renderings
   bool rendering = false;
 
   State(gpu::Device& d, GraphMemory::State& m) : device(d), memory(m) {}
@@ -98,7 +101,7 @@ struct Graph::State {
   /// How the current pass declared its use of a resource; asserts that it did.
   Use useOf(std::uint32_t id) const;
 
-  void describe();                          ///< fills `input`
+  void describe();  ///< fills `input`
   Result<void> allocate(std::vector<plan::Placement>& placements);
   void countStatistics();
   void recordBarriers(VkCommandBuffer commands, const std::vector<plan::Barrier>& list) const;

@@ -11,7 +11,8 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-constexpr VkPipelineStageFlags2 kGraphics = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+constexpr VkPipelineStageFlags2 kGraphics =
+    VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
 constexpr VkPipelineStageFlags2 kColor = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
 constexpr VkPipelineStageFlags2 kTests =
     VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
@@ -68,8 +69,8 @@ TEST(Barriers, ReadAfterReadNeedsNoneAndTheFirstServesAll) {
   d.pass({{i, Use::kSampledGraphics}}, true);
   d.pass({{i, Use::kSampledCompute}}, true);
   const plan::Barriers barriers = planFrame(d.input).barriers;
-  EXPECT_THAT(barriers.before[1], ElementsAre(plan::Barrier{i, kCompute, kStorageWrite, kCompute | kGraphics, kShaderRead,
-                                                            kGeneral, kReadOnly}));
+  EXPECT_THAT(barriers.before[1], ElementsAre(plan::Barrier{i, kCompute, kStorageWrite, kCompute | kGraphics,
+                                                            kShaderRead, kGeneral, kReadOnly}));
   EXPECT_THAT(barriers.before[2], IsEmpty());
   EXPECT_THAT(barriers.before[3], IsEmpty());
 }
@@ -83,9 +84,9 @@ TEST(Barriers, LayoutChangeBetweenReadsWaitsForTheReaders) {
   const plan::Barriers barriers = planFrame(d.input).barriers;
   EXPECT_THAT(barriers.before[1],
               ElementsAre(plan::Barrier{i, kColor, kColorWrite, kGraphics, kShaderRead, kColorLayout, kReadOnly}));
-  EXPECT_THAT(barriers.before[2],
-              ElementsAre(plan::Barrier{i, kGraphics, 0, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
-                                        kReadOnly, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}));
+  EXPECT_THAT(barriers.before[2], ElementsAre(plan::Barrier{i, kGraphics, 0, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                                                            VK_ACCESS_2_TRANSFER_READ_BIT, kReadOnly,
+                                                            VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}));
 }
 
 TEST(Barriers, LoadedAttachmentsSeeWhatWasThere) {
@@ -95,9 +96,10 @@ TEST(Barriers, LoadedAttachmentsSeeWhatWasThere) {
   d.pass({{color, Use::kColorReadWrite}, {depth, Use::kDepthRead}}, true);
   d.pass({{depth, Use::kDepthReadWrite}}, true);
   const plan::Barriers barriers = planFrame(d.input).barriers;
-  EXPECT_THAT(barriers.before[1],
-              ElementsAre(plan::Barrier{color, kColor, kColorWrite, kColor, kColorAll, kColorLayout, kColorLayout},
-                          plan::Barrier{depth, kTests, kDepthWrite, kTests, kDepthRead, kDepthLayout, kDepthReadLayout}));
+  EXPECT_THAT(
+      barriers.before[1],
+      ElementsAre(plan::Barrier{color, kColor, kColorWrite, kColor, kColorAll, kColorLayout, kColorLayout},
+                  plan::Barrier{depth, kTests, kDepthWrite, kTests, kDepthRead, kDepthLayout, kDepthReadLayout}));
   EXPECT_THAT(barriers.before[2], ElementsAre(plan::Barrier{depth, kTests, 0, kTests, kDepthRead | kDepthWrite,
                                                             kDepthReadLayout, kDepthLayout}));
 }
@@ -119,10 +121,12 @@ TEST(Barriers, MemoryThatChangesHandsIsFlushedForAll) {
   d.pass({{b, Use::kColorWrite}}, true);
   const Frame frame = planFrame(d.input);
   ASSERT_TRUE(frame.placements[0].overlaps(frame.placements[1]));
-  // The image barrier reaches only writes through b; those through a need the global one. Sources: a's and b's last uses.
+  // The image barrier reaches only writes through b; those through a need the global one. Sources: a's and b's last
+  // uses.
   EXPECT_THAT(frame.barriers.before[1],
               ElementsAre(plan::Barrier{kMemory, kCompute | kColor, kStorageWrite | kColorWrite, kColor, kColorAll},
-                          plan::Barrier{b, kCompute | kColor, kStorageWrite | kColorWrite, kColor, kColorAll, kUndefined, kColorLayout}));
+                          plan::Barrier{b, kCompute | kColor, kStorageWrite | kColorWrite, kColor, kColorAll,
+                                        kUndefined, kColorLayout}));
 }
 
 TEST(Barriers, ImportsWaitForEverythingAndAreHandedBack) {
@@ -138,11 +142,12 @@ TEST(Barriers, ImportsWaitForEverythingAndAreHandedBack) {
               ElementsAre(plan::Barrier{screen, kAll, kAnyWrite, kColor, kColorAll, kUndefined, kColorLayout},
                           plan::Barrier{kept, kAll, kAnyWrite, kGraphics, kShaderRead, kReadOnly, kReadOnly},
                           plan::Barrier{kMemory, kAll, kAnyWrite, kCompute, kStorageWrite}));
-  EXPECT_THAT(barriers.after,
-              ElementsAre(plan::Barrier{screen, kColor, kColorWrite, kAll, kAny, kColorLayout, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR},
-                          plan::Barrier{kMemory, kCompute, kStorageWrite, kAll | VK_PIPELINE_STAGE_2_HOST_BIT,
-                                        kAny | VK_ACCESS_2_HOST_READ_BIT},
-                          plan::Barrier{unused, kAll, kAnyWrite, kAll, kAny, kUndefined, kGeneral}));
+  EXPECT_THAT(
+      barriers.after,
+      ElementsAre(plan::Barrier{screen, kColor, kColorWrite, kAll, kAny, kColorLayout, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR},
+                  plan::Barrier{kMemory, kCompute, kStorageWrite, kAll | VK_PIPELINE_STAGE_2_HOST_BIT,
+                                kAny | VK_ACCESS_2_HOST_READ_BIT},
+                  plan::Barrier{unused, kAll, kAnyWrite, kAll, kAny, kUndefined, kGeneral}));
 }
 
 }  // namespace

@@ -15,18 +15,23 @@ std::uint32_t Declaration::buffer() {
 }
 
 std::uint32_t Declaration::importImage(VkImageLayout before, VkImageLayout after) {
-  input.resources.push_back(
-      {.name = "imported image", .imported = true, .singleSubresource = true, .layoutBefore = before, .layoutAfter = after});
+  input.resources.push_back({.name = "imported image",
+                             .imported = true,
+                             .singleSubresource = true,
+                             .layoutBefore = before,
+                             .layoutAfter = after});
   return static_cast<std::uint32_t>(input.resources.size() - 1);
 }
 
 std::uint32_t Declaration::importBuffer(bool hostVisible) {
-  input.resources.push_back({.name = "imported buffer", .isBuffer = true, .imported = true, .hostVisible = hostVisible});
+  input.resources.push_back(
+      {.name = "imported buffer", .isBuffer = true, .imported = true, .hostVisible = hostVisible});
   return static_cast<std::uint32_t>(input.resources.size() - 1);
 }
 
 std::uint32_t Declaration::pass(std::vector<plan::ResourceUse> uses, bool keep) {
-  input.passes.push_back({.name = "pass " + std::to_string(input.passes.size()), .keep = keep, .uses = std::move(uses)});
+  input.passes.push_back(
+      {.name = "pass " + std::to_string(input.passes.size()), .keep = keep, .uses = std::move(uses)});
   return static_cast<std::uint32_t>(input.passes.size() - 1);
 }
 
@@ -57,8 +62,8 @@ constexpr Use kImageReads[] = {Use::kSampledCompute, Use::kSampledGraphics, Use:
                                Use::kTransferRead};
 constexpr Use kImageWrites[] = {Use::kStorageWriteCompute, Use::kColorWrite, Use::kDepthWrite, Use::kTransferWrite};
 constexpr Use kImageBoth[] = {Use::kStorageReadWriteCompute, Use::kColorReadWrite, Use::kDepthReadWrite};
-constexpr Use kBufferReads[] = {Use::kSampledCompute, Use::kSampledGraphics, Use::kStorageReadCompute, Use::kTransferRead,
-                                Use::kUniform, Use::kIndirect};
+constexpr Use kBufferReads[] = {Use::kSampledCompute, Use::kSampledGraphics, Use::kStorageReadCompute,
+                                Use::kTransferRead,   Use::kUniform,         Use::kIndirect};
 constexpr Use kBufferWrites[] = {Use::kStorageWriteCompute, Use::kTransferWrite};
 constexpr Use kBufferBoth[] = {Use::kStorageReadWriteCompute};
 
@@ -77,7 +82,9 @@ Use randomUse(Random& random, bool isBuffer, bool hasContents) {
 std::uint32_t randomResource(Random& random, Declaration& d) {
   const std::uint32_t kind = random() % 16;
   if (kind == 0) return d.importBuffer(random() % 2 == 0);
-  if (kind == 1) return d.importImage(VK_IMAGE_LAYOUT_UNDEFINED, random() % 2 ? VK_IMAGE_LAYOUT_PRESENT_SRC_KHR : VK_IMAGE_LAYOUT_UNDEFINED);
+  if (kind == 1)
+    return d.importImage(VK_IMAGE_LAYOUT_UNDEFINED,
+                         random() % 2 ? VK_IMAGE_LAYOUT_PRESENT_SRC_KHR : VK_IMAGE_LAYOUT_UNDEFINED);
   if (kind == 2) {
     const VkImageLayout layout = random() % 2 ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     return d.importImage(layout, layout);
@@ -102,7 +109,8 @@ RandomGraph randomGraph(Random& random, std::uint32_t maxPasses) {
       // Mostly neighbours of p's place in the list, so that lives are short and memory is shared.
       const std::uint32_t near = (p * count / passes + random() % 5) % count;
       const std::uint32_t r = random() % 4 ? near : random() % count;
-      const bool seen = std::any_of(uses.begin(), uses.end(), [&](const plan::ResourceUse& x) { return x.resource == r; });
+      const bool seen =
+          std::any_of(uses.begin(), uses.end(), [&](const plan::ResourceUse& x) { return x.resource == r; });
       if (!seen) uses.push_back({r, randomUse(random, d.input.resources[r].isBuffer, hasContents[r])});
     }
     for (const plan::ResourceUse& use : uses)
@@ -111,7 +119,8 @@ RandomGraph randomGraph(Random& random, std::uint32_t maxPasses) {
   }
   RandomGraph graph{d.input, std::vector<Needs>(count)};
   for (std::uint32_t r = 0; r < count; ++r)
-    graph.needs[r] = {1 + random() % 1000, 1ull << (random() % 9), d.input.resources[r].isBuffer ? 0u : 1u + (random() % 4 == 0)};
+    graph.needs[r] = {1 + random() % 1000, 1ull << (random() % 9),
+                      d.input.resources[r].isBuffer ? 0u : 1u + (random() % 4 == 0)};
   return graph;
 }
 

@@ -25,10 +25,14 @@ struct Declaration {
 };
 
 /// Sizes and alignments for the transients of a declaration (heap 0: buffers, 1 and 2: images).
-struct Needs { std::uint64_t size = 256, alignment = 16; std::uint32_t heap = 1; };
+struct Needs {
+  std::uint64_t size = 256, alignment = 16;
+  std::uint32_t heap = 1;
+};
 
 /// Everything the planner does, with `pending` of the frame before on the same memory (empty: none).
-Frame planFrame(const plan::Input& input, const std::vector<Needs>& needs, const std::vector<plan::Pending>& pending = {});
+Frame planFrame(const plan::Input& input, const std::vector<Needs>& needs,
+                const std::vector<plan::Pending>& pending = {});
 Frame planFrame(const plan::Input& input);
 
 struct RandomGraph {

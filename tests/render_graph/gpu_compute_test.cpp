@@ -40,8 +40,10 @@ std::vector<std::uint32_t> expected(std::uint32_t seed) {
   std::vector<std::uint32_t> values(kCount), moved(kCount);
   for (std::uint32_t i = 0; i < kCount; ++i) values[i] = seed + i;
   for (std::uint32_t step = 0; step < kSteps; ++step) {
-    for (std::uint32_t i = 0; i < kCount; ++i) moved[(i / kSide + 1) % kSide * kSide + i % kSide] = values[i] * 3 + step;
-    for (std::uint32_t i = 0; i < kCount; ++i) values[i / kSide * kSide + (i % kSide + 1) % kSide] = moved[i] * 5 ^ step;
+    for (std::uint32_t i = 0; i < kCount; ++i)
+      moved[(i / kSide + 1) % kSide * kSide + i % kSide] = values[i] * 3 + step;
+    for (std::uint32_t i = 0; i < kCount; ++i)
+      values[i / kSide * kSide + (i % kSide + 1) % kSide] = moved[i] * 5 ^ step;
   }
   return values;
 }
@@ -64,8 +66,9 @@ class GraphCompute : public GraphGpuTest {
   }
 
   ImageRef newImage(Graph& graph, std::uint32_t step) {
-    return graph.image({.name = "image " + std::to_string(step), .format = VK_FORMAT_R32_UINT, .width = kSide, .height = kSide},
-                       "chain");
+    return graph.image(
+        {.name = "image " + std::to_string(step), .format = VK_FORMAT_R32_UINT, .width = kSide, .height = kSide},
+        "chain");
   }
 
   /// image -> buffer -> image ..., each step through new transients.
@@ -79,18 +82,28 @@ class GraphCompute : public GraphGpuTest {
     });
     for (std::uint32_t step = 0; step < kSteps; ++step) {
       const BufferRef buffer = graph.buffer({.name = "buffer " + std::to_string(step), .size = kCount * 4}, "chain");
-      graph.pass("to buffer", "chain").use(image, Use::kSampledCompute).use(buffer, Use::kStorageWriteCompute)
+      graph.pass("to buffer", "chain")
+          .use(image, Use::kSampledCompute)
+          .use(buffer, Use::kStorageWriteCompute)
           .run([this, image, buffer, step](PassContext& c) {
             bind(c, toBuffer);
-            gpu::Descriptors(c.commands(), toBuffer).sampled(0, c.view(image), sampler).storageBuffer(1, c.buffer(buffer)).push();
+            gpu::Descriptors(c.commands(), toBuffer)
+                .sampled(0, c.view(image), sampler)
+                .storageBuffer(1, c.buffer(buffer))
+                .push();
             push(c, toBuffer, step);
             vkCmdDispatch(c.commands(), kSide / 8, kSide / 8, 1);
           });
       const ImageRef next = newImage(graph, step + 1);
-      graph.pass("to image", "chain").use(buffer, Use::kStorageReadCompute).use(next, Use::kStorageWriteCompute)
+      graph.pass("to image", "chain")
+          .use(buffer, Use::kStorageReadCompute)
+          .use(next, Use::kStorageWriteCompute)
           .run([this, buffer, next, step](PassContext& c) {
             bind(c, toImage);
-            gpu::Descriptors(c.commands(), toImage).storageBuffer(0, c.buffer(buffer)).storageImage(1, c.view(next)).push();
+            gpu::Descriptors(c.commands(), toImage)
+                .storageBuffer(0, c.buffer(buffer))
+                .storageImage(1, c.view(next))
+                .push();
             push(c, toImage, step);
             vkCmdDispatch(c.commands(), kSide / 8, kSide / 8, 1);
           });
@@ -125,7 +138,7 @@ TEST_F(GraphCompute, AHundredFramesInFlightAgreeAndNeedNoMoreMemory) {
   TY_EXPECT_OK(timestamps);
   VkDeviceSize bytes = 0;
   for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
-    auto commands = device->beginFrame();   // waits for frame - 2, whose result is then complete
+    auto commands = device->beginFrame();  // waits for frame - 2, whose result is then complete
     TY_EXPECT_OK(commands);
     if (frame >= 2) {
       ASSERT_EQ(hostValues<std::uint32_t>(results[frame % 2]), expected(1000 * (frame - 2))) << frame;

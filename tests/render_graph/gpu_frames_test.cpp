@@ -34,12 +34,18 @@ TEST_F(GraphFrames, PlansOfChangingSizeStayCorrectAndGiveMemoryBack) {
     });
     for (std::uint32_t step = 0; step < 11; ++step) {
       const BufferRef next = graph.buffer({.name = "sum " + std::to_string(step), .size = count * 4});
-      graph.pass("add").use(last, Use::kStorageReadCompute).use(next, Use::kStorageWriteCompute).run([&add, last, next, frame, count](PassContext& c) {
-        bind(c, add);
-        gpu::Descriptors(c.commands(), add).storageBuffer(0, c.buffer(last)).storageBuffer(1, c.buffer(next)).push();
-        push(c, add, frame);
-        vkCmdDispatch(c.commands(), count / 64, 1, 1);
-      });
+      graph.pass("add")
+          .use(last, Use::kStorageReadCompute)
+          .use(next, Use::kStorageWriteCompute)
+          .run([&add, last, next, frame, count](PassContext& c) {
+            bind(c, add);
+            gpu::Descriptors(c.commands(), add)
+                .storageBuffer(0, c.buffer(last))
+                .storageBuffer(1, c.buffer(next))
+                .push();
+            push(c, add, frame);
+            vkCmdDispatch(c.commands(), count / 64, 1, 1);
+          });
       last = next;
     }
     const BufferRef out = graph.import(results[frame % 2]);
@@ -51,7 +57,7 @@ TEST_F(GraphFrames, PlansOfChangingSizeStayCorrectAndGiveMemoryBack) {
     graph.record(*commands, nullptr);
     TY_EXPECT_OK(device->endFrame());
     if (frame == 4) small = device->allocatedBytes();
-    if (frame % 10 == 4) {   // the small plan, the big one long gone
+    if (frame % 10 == 4) {  // the small plan, the big one long gone
       EXPECT_EQ(device->allocatedBytes(), small) << "frame " << frame;
     }
   }
@@ -62,30 +68,38 @@ using GraphDeathTest = GraphFrames;
 TEST_F(GraphDeathTest, OurOwnMistakesStopTheProgramByName) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto buffer = [](Graph& graph) { return graph.buffer({.name = "numbers", .size = 64}); };
-  EXPECT_DEATH({
-    Graph graph(*device, *memory);
-    graph.pass("reader").use(buffer(graph), Use::kUniform).keep().run([](PassContext&) {});
-    (void)graph.compile();
-  }, "nobody wrote");
-  EXPECT_DEATH({
-    Graph graph(*device, *memory);
-    graph.pass("lazy").use(buffer(graph), Use::kTransferWrite).keep();
-    (void)graph.compile();
-  }, "no run");
-  EXPECT_DEATH({
-    Graph graph(*device, *memory);
-    const BufferRef secret = buffer(graph);
-    graph.pass("writer").use(secret, Use::kTransferWrite).keep().run([](PassContext&) {});
-    graph.pass("thief").keep().run([secret](PassContext& c) { (void)c.buffer(secret); });
-    compileAndRun(graph);
-  }, "did not declare its use of 'numbers'");
-  EXPECT_DEATH({
-    Graph first(*device, *memory);
-    Graph second(*device, *memory);
-    (void)first.compile();
-    (void)second.compile();
-    (void)device->submitAndWait([&](VkCommandBuffer commands) { first.record(commands, nullptr); });
-  }, "another graph has compiled");
+  EXPECT_DEATH(
+      {
+        Graph graph(*device, *memory);
+        graph.pass("reader").use(buffer(graph), Use::kUniform).keep().run([](PassContext&) {});
+        (void)graph.compile();
+      },
+      "nobody wrote");
+  EXPECT_DEATH(
+      {
+        Graph graph(*device, *memory);
+        graph.pass("lazy").use(buffer(graph), Use::kTransferWrite).keep();
+        (void)graph.compile();
+      },
+      "no run");
+  EXPECT_DEATH(
+      {
+        Graph graph(*device, *memory);
+        const BufferRef secret = buffer(graph);
+        graph.pass("writer").use(secret, Use::kTransferWrite).keep().run([](PassContext&) {});
+        graph.pass("thief").keep().run([secret](PassContext& c) { (void)c.buffer(secret); });
+        compileAndRun(graph);
+      },
+      "did not declare its use of 'numbers'");
+  EXPECT_DEATH(
+      {
+        Graph first(*device, *memory);
+        Graph second(*device, *memory);
+        (void)first.compile();
+        (void)second.compile();
+        (void)device->submitAndWait([&](VkCommandBuffer commands) { first.record(commands, nullptr); });
+      },
+      "another graph has compiled");
 }
 
 }  // namespace

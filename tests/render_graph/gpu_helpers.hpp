@@ -22,7 +22,8 @@ class GraphGpuTest : public gpu::test::GpuTest {
   }
 
   gpu::Buffer hostBuffer(VkDeviceSize bytes) {
-    auto made = device->createBuffer({.name = "readback", .size = bytes,
+    auto made = device->createBuffer({.name = "readback",
+                                      .size = bytes,
                                       .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                       .hostVisible = true});
     EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().message);
@@ -30,21 +31,27 @@ class GraphGpuTest : public gpu::test::GpuTest {
   }
 
   gpu::Pipeline compute(const std::string& text, std::vector<gpu::Binding> bindings, std::uint32_t pushBytes = 0) {
-    auto made = gpu::createPipeline(*device, gpu::ComputePipelineDesc{.name = "test", .shader = compile("comp", text),
-                                                                      .bindings = std::move(bindings), .pushConstantBytes = pushBytes});
+    auto made = gpu::createPipeline(*device, gpu::ComputePipelineDesc{.name = "test",
+                                                                      .shader = compile("comp", text),
+                                                                      .bindings = std::move(bindings),
+                                                                      .pushConstantBytes = pushBytes});
     EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().message);
     return made.take();
   }
 
   /// Copies one layer's colour or depth texels into a buffer the host reads.
-  static void copyOut(Graph& graph, ImageRef image, BufferRef target, VkImageAspectFlags aspect, std::uint32_t layer = 0) {
-    graph.pass("copy out").use(image, Use::kTransferRead).use(target, Use::kTransferWrite).run([=](PassContext& context) {
-      VkBufferImageCopy region{};
-      region.imageSubresource = {aspect, 0, layer, 1};
-      region.imageExtent = {context.desc(image).width, context.desc(image).height, 1};
-      vkCmdCopyImageToBuffer(context.commands(), context.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                             context.buffer(target), 1, &region);
-    });
+  static void copyOut(Graph& graph, ImageRef image, BufferRef target, VkImageAspectFlags aspect,
+                      std::uint32_t layer = 0) {
+    graph.pass("copy out")
+        .use(image, Use::kTransferRead)
+        .use(target, Use::kTransferWrite)
+        .run([=](PassContext& context) {
+          VkBufferImageCopy region{};
+          region.imageSubresource = {aspect, 0, layer, 1};
+          region.imageExtent = {context.desc(image).width, context.desc(image).height, 1};
+          vkCmdCopyImageToBuffer(context.commands(), context.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                 context.buffer(target), 1, &region);
+        });
   }
 
   void compileAndRun(Graph& graph) {

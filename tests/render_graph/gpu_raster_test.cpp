@@ -39,15 +39,22 @@ void main() {
   values[p.y * 48 + p.x] = texelFetch(color, p, 0).r + 10000 * texelFetch(depth, p, 0).r;
 })";
 
-struct Push { float right = 1, depth = 0.5f, value = 0; };
+struct Push {
+  float right = 1, depth = 0.5f, value = 0;
+};
 
 class GraphRaster : public GraphGpuTest {
  protected:
   gpu::Pipeline graphics(const char* fragment, bool blend, bool depthTest, bool depthWrite) {
-    gpu::GraphicsPipelineDesc desc{.name = "test", .vertex = compile("vert", kVertex), .fragment = compile("frag", fragment),
-                                   .pushConstantBytes = sizeof(Push), .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP};
+    gpu::GraphicsPipelineDesc desc{.name = "test",
+                                   .vertex = compile("vert", kVertex),
+                                   .fragment = compile("frag", fragment),
+                                   .pushConstantBytes = sizeof(Push),
+                                   .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP};
     if (fragment == kFetch) desc.bindings = {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
-    desc.colors = {{.format = VK_FORMAT_R32_SFLOAT, .blend = blend, .destinationFactor = blend ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ZERO,
+    desc.colors = {{.format = VK_FORMAT_R32_SFLOAT,
+                    .blend = blend,
+                    .destinationFactor = blend ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ZERO,
                     .destinationAlphaFactor = blend ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ZERO}};
     if (depthTest || depthWrite) desc.depthFormat = VK_FORMAT_D32_SFLOAT;
     desc.depthTest = depthTest;
@@ -75,13 +82,14 @@ class GraphRaster : public GraphGpuTest {
 
 TEST_F(GraphRaster, ComputeRasterBlendReadOnlyDepthCompute) {
   const gpu::Pipeline ramp = compute(kRamp, {{0, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}});
-  const gpu::Pipeline combine = compute(kCombine, {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
-                                                   {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {2}});
+  const gpu::Pipeline combine = compute(
+      kCombine, {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {2}});
   const gpu::Pipeline fill = graphics(kFetch, false, true, true), add = graphics(kConstant, true, true, false);
   const VkSampler sampler = nearest();
   const gpu::Buffer result = hostBuffer(kWidth * kHeight * 4);
   Graph graph(*device, *memory);
-  const ImageRef source = graph.image(desc("source", VK_FORMAT_R32_SFLOAT)), color = graph.image(desc("color", VK_FORMAT_R32_SFLOAT)),
+  const ImageRef source = graph.image(desc("source", VK_FORMAT_R32_SFLOAT)),
+                 color = graph.image(desc("color", VK_FORMAT_R32_SFLOAT)),
                  depth = graph.image(desc("depth", VK_FORMAT_D32_SFLOAT));
   const BufferRef out = graph.import(result);
   graph.pass("ramp").use(source, Use::kStorageWriteCompute).run([&](PassContext& c) {
@@ -90,14 +98,18 @@ TEST_F(GraphRaster, ComputeRasterBlendReadOnlyDepthCompute) {
     vkCmdDispatch(c.commands(), kWidth / 8, kHeight / 8, 1);
   });
   // Left three quarters: colour 2·ramp + 1 at depth 0.5; the rest stays cleared to 3 at depth 0.25.
-  graph.pass("fill").use(source, Use::kSampledGraphics).use(color, Use::kColorWrite).use(depth, Use::kDepthWrite).run([&](PassContext& c) {
-    const PassContext::DepthAttachment target{.image = depth, .clear = true, .value = 0.25f};
-    c.beginRendering({{.image = color, .clear = true, .value = {{3, 3, 3, 3}}}}, &target);
-    bind(c, fill);
-    gpu::Descriptors(c.commands(), fill).sampled(0, c.view(source), sampler).push();
-    draw(c, fill, {.right = 0.5f, .depth = 0.5f, .value = 1});
-    c.endRendering();
-  });
+  graph.pass("fill")
+      .use(source, Use::kSampledGraphics)
+      .use(color, Use::kColorWrite)
+      .use(depth, Use::kDepthWrite)
+      .run([&](PassContext& c) {
+        const PassContext::DepthAttachment target{.image = depth, .clear = true, .value = 0.25f};
+        c.beginRendering({{.image = color, .clear = true, .value = {{3, 3, 3, 3}}}}, &target);
+        bind(c, fill);
+        gpu::Descriptors(c.commands(), fill).sampled(0, c.view(source), sampler).push();
+        draw(c, fill, {.right = 0.5f, .depth = 0.5f, .value = 1});
+        c.endRendering();
+      });
   // Adds 7 everywhere at depth 0.375: reversed depth keeps it where 0.375 >= stored, the right quarter.
   graph.pass("add").use(color, Use::kColorReadWrite).use(depth, Use::kDepthRead).run([&](PassContext& c) {
     const PassContext::DepthAttachment target{.image = depth, .readOnly = true};
@@ -105,11 +117,17 @@ TEST_F(GraphRaster, ComputeRasterBlendReadOnlyDepthCompute) {
     draw(c, add, {.right = 1, .depth = 0.375f, .value = 7});
     c.endRendering();
   });
-  graph.pass("combine").use(color, Use::kSampledCompute).use(depth, Use::kSampledCompute).use(out, Use::kStorageWriteCompute)
+  graph.pass("combine")
+      .use(color, Use::kSampledCompute)
+      .use(depth, Use::kSampledCompute)
+      .use(out, Use::kStorageWriteCompute)
       .run([&](PassContext& c) {
         bind(c, combine);
-        gpu::Descriptors(c.commands(), combine).sampled(0, c.view(color), sampler).sampled(1, c.view(depth), sampler)
-            .storageBuffer(2, c.buffer(out)).push();
+        gpu::Descriptors(c.commands(), combine)
+            .sampled(0, c.view(color), sampler)
+            .sampled(1, c.view(depth), sampler)
+            .storageBuffer(2, c.buffer(out))
+            .push();
         vkCmdDispatch(c.commands(), kWidth / 8, kHeight / 8, 1);
       });
   compileAndRun(graph);
@@ -130,9 +148,11 @@ TEST_F(GraphRaster, LayersAndMipsOfOneImageByDifferentPasses) {
   const ImageRef image = graph.image(desc("layered", VK_FORMAT_R32_SFLOAT, 2, 2));
   for (std::uint32_t layer = 0; layer < 2; ++layer)
     graph.pass("layer").use(image, Use::kColorWrite).run([&, layer](PassContext& c) {
-      for (std::uint32_t mip = 0; mip < 2; ++mip) {   // the smaller mip has its own viewport
+      for (std::uint32_t mip = 0; mip < 2; ++mip) {  // the smaller mip has its own viewport
         const auto cleared = static_cast<float>(10 + layer);
-        c.beginRendering({{.image = image, .clear = true, .value = {{cleared, 0, 0, 0}},
+        c.beginRendering({{.image = image,
+                           .clear = true,
+                           .value = {{cleared, 0, 0, 0}},
                            .view = {.baseMip = mip, .mipCount = 1, .baseLayer = layer, .layerCount = 1}}});
         draw(c, paint, {.right = 0, .value = static_cast<float>(20 + layer)});
         c.endRendering();
@@ -196,7 +216,8 @@ TEST_F(GraphRaster, AForeignImageIsDrawnToByItsOneView) {
   auto foreign = device->createImage(wanted);
   TY_EXPECT_OK(foreign);
   Graph graph(*device, *memory);
-  const ImageRef image = graph.importRaw(foreign->handle(), foreign->view(), wanted, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
+  const ImageRef image =
+      graph.importRaw(foreign->handle(), foreign->view(), wanted, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
   graph.pass("clear").use(image, Use::kColorWrite).run([&](PassContext& c) {
     c.beginRendering({{.image = image, .clear = true, .value = {{4, 0, 0, 0}}}});
     c.endRendering();

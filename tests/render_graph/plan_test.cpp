@@ -14,7 +14,8 @@ using testing::HasSubstr;
 
 TEST(Culling, KeepsTheChainBehindAnImportAndNothingElse) {
   Declaration d;
-  const auto a = d.image(), b = d.image(), unread = d.image(), screen = d.importImage(VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
+  const auto a = d.image(), b = d.image(), unread = d.image(),
+             screen = d.importImage(VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
   d.pass({{a, Use::kStorageWriteCompute}});
   d.pass({{a, Use::kSampledCompute}, {unread, Use::kStorageWriteCompute}});
   d.pass({{a, Use::kSampledCompute}, {b, Use::kStorageWriteCompute}});
@@ -29,7 +30,7 @@ TEST(Culling, ReadWriteReadsWhatItWritesOver) {
   d.pass({{a, Use::kColorWrite}});
   d.pass({{a, Use::kColorReadWrite}});
   d.pass({{a, Use::kSampledGraphics}}, true);
-  d.pass({{a, Use::kColorReadWrite}});   // after the last read: nobody sees it
+  d.pass({{a, Use::kColorReadWrite}});  // after the last read: nobody sees it
   EXPECT_THAT(plan::cull(d.input), ElementsAre(true, true, true, false));
 }
 
@@ -65,7 +66,7 @@ TEST(Packing, AChainNeedsTwoBlocksOnly) {
     last = next;
   }
   d.pass({{last, Use::kSampledCompute}}, true);
-  for (const plan::Placement& p : planFrame(d.input).placements) EXPECT_LT(p.offset, 512u);   // of 21 × 256 bytes
+  for (const plan::Placement& p : planFrame(d.input).placements) EXPECT_LT(p.offset, 512u);  // of 21 × 256 bytes
 }
 
 TEST(Packing, BlocksAreAlignedInsideTheirHeapAndApartWhileBothLive) {
@@ -78,7 +79,7 @@ TEST(Packing, BlocksAreAlignedInsideTheirHeapAndApartWhileBothLive) {
       b = {1 + random() % 5000, 1ull << random() % 12, {first, first + random() % 12}, random() % 2};
     }
     const plan::Packing packing = plan::pack(blocks, 2);
-    std::vector<std::uint64_t> load(2 * 80);   // bytes alive at each pass
+    std::vector<std::uint64_t> load(2 * 80);  // bytes alive at each pass
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       const plan::Block& a = blocks[i];
       ASSERT_EQ(packing.offsets[i] % a.alignment, 0u);
@@ -87,7 +88,8 @@ TEST(Packing, BlocksAreAlignedInsideTheirHeapAndApartWhileBothLive) {
       for (std::size_t j = 0; j < i; ++j) {
         const plan::Block& b = blocks[j];
         const bool together = a.heap == b.heap && !(a.life.last < b.life.first || b.life.last < a.life.first);
-        const bool apart = packing.offsets[i] + a.size <= packing.offsets[j] || packing.offsets[j] + b.size <= packing.offsets[i];
+        const bool apart =
+            packing.offsets[i] + a.size <= packing.offsets[j] || packing.offsets[j] + b.size <= packing.offsets[i];
         ASSERT_TRUE(!together || apart) << "case " << n;
       }
     }
@@ -119,8 +121,13 @@ TEST(Mistakes, AreNamed) {
                 d.pass({{i, Use::kColorWrite}, {i, Use::kStorageWriteCompute}});
               }),
               HasSubstr("one way only"));
-  EXPECT_THAT(mistake([](Declaration& d) { d.pass({{d.buffer(), Use::kColorWrite}}); }), HasSubstr("not a use of buffers"));
-  EXPECT_THAT(mistake([](Declaration& d) { d.pass({{d.importImage(VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_GENERAL), Use::kUniform}}); }),
+  EXPECT_THAT(mistake([](Declaration& d) {
+                d.pass({{d.buffer(), Use::kColorWrite}});
+              }),
+              HasSubstr("not a use of buffers"));
+  EXPECT_THAT(mistake([](Declaration& d) {
+                d.pass({{d.importImage(VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_GENERAL), Use::kUniform}});
+              }),
               HasSubstr("not a use of images"));
   EXPECT_THAT(mistake([](Declaration& d) { d.pass({{7, Use::kUniform}}); }), HasSubstr("does not have"));
   EXPECT_EQ(mistake([](Declaration& d) { d.pass({{d.importBuffer(), Use::kUniform}}); }), "");

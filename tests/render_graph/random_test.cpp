@@ -42,8 +42,10 @@ TEST(RandomGraphs, AnotherPlanOnTheSameMemoryWaitsForTheLastOne) {
     plan::Input other = graph.input;
     for (plan::PassInput& pass : other.passes)
       for (plan::ResourceUse& use : pass.uses) {
-        const bool readsOnly = use.use == Use::kSampledCompute || use.use == Use::kSampledGraphics || use.use == Use::kTransferRead;
-        if (readsOnly && random() % 2) use.use = use.use == Use::kSampledCompute ? Use::kSampledGraphics : Use::kSampledCompute;
+        const bool readsOnly =
+            use.use == Use::kSampledCompute || use.use == Use::kSampledGraphics || use.use == Use::kTransferRead;
+        if (readsOnly && random() % 2)
+          use.use = use.use == Use::kSampledCompute ? Use::kSampledGraphics : Use::kSampledCompute;
       }
     Frame a = planFrame(graph.input, graph.needs);
     const Frame b = planFrame(other, graph.needs, a.barriers.pending);
@@ -85,15 +87,19 @@ TEST(RandomGraphs, ExactlyTheNeededPassesRun) {
   EXPECT_GT(dropped, 3000u);
 }
 
-// The machine must be able to object: a barrier taken away, or one stage or access of it, is a fault it finds. Not always:
-// another barrier of the pass may happen to cover it, and some sources are wider than one frame needs.
+// The machine must be able to object: a barrier taken away, or one stage or access of it, is a fault it finds. Not
+// always: another barrier of the pass may happen to cover it, and some sources are wider than one frame needs.
 TEST(RandomGraphs, TheMachineNoticesWhatIsTakenAway) {
-  struct Kind { const char* name; void (*weaken)(std::vector<plan::Barrier>&, std::size_t); double atLeast; };
+  struct Kind {
+    const char* name;
+    void (*weaken)(std::vector<plan::Barrier>&, std::size_t);
+    double atLeast;
+  };
   const Kind kinds[] = {
       {"barrier", [](auto& list, std::size_t b) { list.erase(list.begin() + static_cast<std::ptrdiff_t>(b)); }, 0.7},
       {"source stages", [](auto& list, std::size_t b) { list[b].sourceStages = 0; }, 0.7},
       {"target stages", [](auto& list, std::size_t b) { list[b].targetStages = 0; }, 0.7},
-      {"source access", [](auto& list, std::size_t b) { list[b].sourceAccess = 0; }, 0.30},   // often 0 already
+      {"source access", [](auto& list, std::size_t b) { list[b].sourceAccess = 0; }, 0.30},  // often 0 already
       {"target access", [](auto& list, std::size_t b) { list[b].targetAccess = 0; }, 0.60},
   };
   for (const Kind& kind : kinds) {

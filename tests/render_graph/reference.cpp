@@ -7,13 +7,14 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
   std::uint64_t x = a * 0x9E3779B97F4A7C15ull + b + 0x632BE59BD9B4E019ull;
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
   x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
-  return (x ^ (x >> 31)) | 1;   // never 0, which means undefined
+  return (x ^ (x >> 31)) | 1;  // never 0, which means undefined
 }
 
 std::uint64_t seenBy(const plan::Input& input, std::uint32_t pass, const std::vector<std::uint64_t>& contents) {
   std::uint64_t seen = 1;
   for (const plan::ResourceUse& use : input.passes[pass].uses)
-    if (meaningOf(use.use, input.resources[use.resource].isBuffer).needsContents) seen = mix(seen, contents[use.resource]);
+    if (meaningOf(use.use, input.resources[use.resource].isBuffer).needsContents)
+      seen = mix(seen, contents[use.resource]);
   return seen;
 }
 

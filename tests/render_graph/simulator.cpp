@@ -24,7 +24,7 @@ std::string Machine::run(const Frame& frame) {
   const plan::Input& input = frame.input;
   const Reference expected = reference(input, contents_);
   for (std::uint32_t r = 0; r < contents_.size(); ++r)
-    if (!input.resources[r].imported) contents_[r] = 0;   // nobody may count on the last frame's transients
+    if (!input.resources[r].imported) contents_[r] = 0;  // nobody may count on the last frame's transients
   for (std::uint32_t p = 0; p < input.passes.size(); ++p) {
     const std::string where = "pass " + std::to_string(p);
     if (!frame.kept[p]) {
@@ -53,10 +53,11 @@ std::string Machine::run(const Frame& frame) {
   return finish(input);
 }
 
-std::string Machine::barriers(const plan::Input& input, const std::vector<plan::Barrier>& list, const std::string& where) {
+std::string Machine::barriers(const plan::Input& input, const std::vector<plan::Barrier>& list,
+                              const std::string& where) {
   const std::size_t count = events_.size();
   std::vector<std::vector<bool>> inScope(list.size(), std::vector<bool>(count));
-  const std::vector<Event> before = events_;   // entries of one command do not chain with each other
+  const std::vector<Event> before = events_;  // entries of one command do not chain with each other
   for (std::size_t b = 0; b < list.size(); ++b) {
     const plan::Barrier& barrier = list[b];
     const Stages source = stagesOf(barrier.sourceStages), target = stagesOf(barrier.targetStages);
@@ -76,19 +77,21 @@ std::string Machine::barriers(const plan::Input& input, const std::vector<plan::
     if (list[b].resource == plan::Barrier::kMemory) continue;
     if (std::string wrong = transition(input, list[b], inScope[b], count, where); !wrong.empty()) return wrong;
   }
-  events_.erase(std::remove_if(events_.begin(), events_.end(), [](const Event& e) { return e.range.end == 0; }), events_.end());
+  events_.erase(std::remove_if(events_.begin(), events_.end(), [](const Event& e) { return e.range.end == 0; }),
+                events_.end());
   return {};
 }
 
-std::string Machine::transition(const plan::Input& input, const plan::Barrier& barrier, const std::vector<bool>& inScope,
-                                std::size_t eventCount, const std::string& where) {
+std::string Machine::transition(const plan::Input& input, const plan::Barrier& barrier,
+                                const std::vector<bool>& inScope, std::size_t eventCount, const std::string& where) {
   const std::uint32_t r = barrier.resource;
   const std::string what = where + ", image " + std::to_string(r) + ": ";
   if (input.resources[r].isBuffer) return what + "an image barrier for a buffer";
   if (!ranges_[r].end) return what + "a barrier for an image without memory";
   if (barrier.newLayout == VK_IMAGE_LAYOUT_UNDEFINED) return what + "a transition to UNDEFINED";
   if (barrier.oldLayout != VK_IMAGE_LAYOUT_UNDEFINED && barrier.oldLayout != layouts_[r])
-    return what + "the barrier believes in layout " + std::to_string(barrier.oldLayout) + ", it is " + std::to_string(layouts_[r]);
+    return what + "the barrier believes in layout " + std::to_string(barrier.oldLayout) + ", it is " +
+           std::to_string(layouts_[r]);
   if (barrier.oldLayout == barrier.newLayout) return {};
   for (std::size_t e = 0; e < events_.size(); ++e) {
     const Event& event = events_[e];
@@ -99,7 +102,7 @@ std::string Machine::transition(const plan::Input& input, const plan::Barrier& b
   if (barrier.oldLayout == VK_IMAGE_LAYOUT_UNDEFINED) contents_[r] = 0;
   overwrite(r);
   for (Event& event : events_)
-    if (ranges_[r].holds(event.range)) event.range = {};   // erased by the caller: indices must stay for now
+    if (ranges_[r].holds(event.range)) event.range = {};  // erased by the caller: indices must stay for now
   layouts_[r] = barrier.newLayout;
   const Stages target = stagesOf(barrier.targetStages);
   events_.push_back({r, ranges_[r], 0, 0, true, true, target, product(target, accessesOf(barrier.targetAccess)),
@@ -126,7 +129,14 @@ std::string Machine::use(const plan::Input& input, std::uint32_t r, Use use, con
   if (m.writes) forget(ranges_[r]);
   for (std::uint32_t s = 0; s < sStageCount; ++s) {
     if (!(m.stages & bit(s))) continue;
-    events_.push_back({r, ranges_[r], bit(s), m.writes ? m.writes : m.reads, m.writes != 0, false, 0, {},
+    events_.push_back({r,
+                       ranges_[r],
+                       bit(s),
+                       m.writes ? m.writes : m.reads,
+                       m.writes != 0,
+                       false,
+                       0,
+                       {},
                        (m.writes ? "the write at " : "the read at ") + where});
   }
   return {};
@@ -138,7 +148,8 @@ std::string Machine::finish(const plan::Input& input) {
     if (!resource.imported) continue;
     const std::string what = "after the frame, import " + std::to_string(r) + ": ";
     if (!resource.isBuffer && resource.layoutAfter != VK_IMAGE_LAYOUT_UNDEFINED && layouts_[r] != resource.layoutAfter)
-      return what + "is in layout " + std::to_string(layouts_[r]) + ", promised " + std::to_string(resource.layoutAfter);
+      return what + "is in layout " + std::to_string(layouts_[r]) + ", promised " +
+             std::to_string(resource.layoutAfter);
     if (!hostMustSee_[r]) continue;
     Visible needed = product(kAllCommands, kReads & ~bit(aHostRead));
     if (resource.hostVisible) needed |= product(bit(sHost), bit(aHostRead));

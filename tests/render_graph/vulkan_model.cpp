@@ -62,20 +62,34 @@ Meaning meaningOf(Use use, bool isBuffer) {
       break;
     case Use::kColorWrite:
     case Use::kColorReadWrite:
-      m = {bit(sColor), bit(aColorRead), bit(aColorWrite), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-           use == Use::kColorReadWrite, use == Use::kColorWrite};
+      m = {bit(sColor),
+           bit(aColorRead),
+           bit(aColorWrite),
+           VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+           use == Use::kColorReadWrite,
+           use == Use::kColorWrite};
       break;
     case Use::kDepthWrite:
     case Use::kDepthReadWrite:
-      m = {depthTests, bit(aDepthRead), bit(aDepthWrite), VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
-           use == Use::kDepthReadWrite, use == Use::kDepthWrite};
+      m = {depthTests,
+           bit(aDepthRead),
+           bit(aDepthWrite),
+           VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
+           use == Use::kDepthReadWrite,
+           use == Use::kDepthWrite};
       break;
     case Use::kDepthRead:
       m = {depthTests, bit(aDepthRead), 0, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL, true};
       break;
-    case Use::kTransferRead: m = {bit(sTransfer), bit(aTransferRead), 0, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, true}; break;
-    case Use::kTransferWrite: m = {bit(sTransfer), 0, bit(aTransferWrite), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, false}; break;
-    case Use::kUniform: m = {bit(sVertex) | bit(sFragment) | bit(sCompute), bit(aUniform), 0, VK_IMAGE_LAYOUT_UNDEFINED, true}; break;
+    case Use::kTransferRead:
+      m = {bit(sTransfer), bit(aTransferRead), 0, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, true};
+      break;
+    case Use::kTransferWrite:
+      m = {bit(sTransfer), 0, bit(aTransferWrite), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, false};
+      break;
+    case Use::kUniform:
+      m = {bit(sVertex) | bit(sFragment) | bit(sCompute), bit(aUniform), 0, VK_IMAGE_LAYOUT_UNDEFINED, true};
+      break;
     case Use::kIndirect: m = {bit(sIndirect), bit(aIndirect), 0, VK_IMAGE_LAYOUT_UNDEFINED, true}; break;
     case Use::kPresent: m = {kAllCommands, 0, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, true}; break;
   }

@@ -11,11 +11,22 @@ namespace tyndall::render::test {
 
 enum : std::uint32_t { sIndirect, sVertex, sFragment, sEarly, sLate, sColor, sCompute, sTransfer, sHost, sStageCount };
 enum : std::uint32_t {
-  aIndirect, aUniform, aSampled, aStorageRead, aStorageWrite, aColorRead, aColorWrite, aDepthRead, aDepthWrite,
-  aTransferRead, aTransferWrite, aHostRead, aAccessCount
+  aIndirect,
+  aUniform,
+  aSampled,
+  aStorageRead,
+  aStorageWrite,
+  aColorRead,
+  aColorWrite,
+  aDepthRead,
+  aDepthWrite,
+  aTransferRead,
+  aTransferWrite,
+  aHostRead,
+  aAccessCount
 };
-using Stages = std::uint32_t;     // bit per s...
-using Accesses = std::uint32_t;   // bit per a...
+using Stages = std::uint32_t;    // bit per s...
+using Accesses = std::uint32_t;  // bit per a...
 constexpr std::uint32_t bit(std::uint32_t index) { return 1u << index; }
 constexpr Stages kAllCommands = bit(sStageCount) - 1 - bit(sHost);
 constexpr Accesses kWrites = bit(aStorageWrite) | bit(aColorWrite) | bit(aDepthWrite) | bit(aTransferWrite);
@@ -38,8 +49,8 @@ struct Meaning {
   Stages stages = 0;
   Accesses reads = 0, writes = 0;
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
-  bool needsContents = false;   ///< the result depends on what was there
-  bool replacesAll = false;     ///< nothing of what was there remains (of a resource with one subresource)
+  bool needsContents = false;  ///< the result depends on what was there
+  bool replacesAll = false;    ///< nothing of what was there remains (of a resource with one subresource)
 };
 Meaning meaningOf(Use use, bool isBuffer);
 

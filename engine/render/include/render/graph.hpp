@@ -1,6 +1,6 @@
 // A render graph for one frame: passes declare what they read and write; the graph drops passes nobody needs, derives
-// barriers and layouts, and lets transient images and buffers whose lives do not overlap share memory. (After the idea of
-// Filament's FrameGraph: declare now, run later.)
+// barriers and layouts, and lets transient images and buffers whose lives do not overlap share memory. (After the idea
+// of Filament's FrameGraph: declare now, run later.)
 #pragma once
 
 #include <cstdint>
@@ -16,34 +16,51 @@
 
 namespace tyndall::render {
 
-struct ImageRef { std::uint32_t id = ~0u; explicit operator bool() const { return id != ~0u; } bool operator==(const ImageRef&) const = default; };
-struct BufferRef { std::uint32_t id = ~0u; explicit operator bool() const { return id != ~0u; } bool operator==(const BufferRef&) const = default; };
+struct ImageRef {
+  std::uint32_t id = ~0u;
+  explicit operator bool() const { return id != ~0u; }
+  bool operator==(const ImageRef&) const = default;
+};
+struct BufferRef {
+  std::uint32_t id = ~0u;
+  explicit operator bool() const { return id != ~0u; }
+  bool operator==(const BufferRef&) const = default;
+};
 
 /// How a pass uses a resource; decides stage, access and layout. One use per resource and pass.
+/// A resource must be written before anything reads or loads it. Storage and transfer writes may be partial, so they
+/// keep the writers before them; so do attachment writes of images with several mips or layers.
 enum class Use {
-  kSampledCompute, kSampledGraphics,        // read: SHADER_READ_ONLY
-  kStorageReadCompute, kStorageWriteCompute, kStorageReadWriteCompute,  // GENERAL
-  kColorWrite,        ///< colour attachment, cleared or fully overwritten
-  kColorReadWrite,    ///< colour attachment, loaded (blending over what is there)
-  kDepthWrite,        ///< depth attachment, cleared
-  kDepthReadWrite,    ///< depth attachment, loaded and written
-  kDepthRead,         ///< depth attachment, tested only
-  kTransferRead, kTransferWrite,
-  kUniform, kIndirect,
-  kPresent            ///< read by the window system: PRESENT_SRC
+  // Read by texture, SHADER_READ_ONLY. Of a buffer: a storage buffer that these stages only read.
+  kSampledCompute,
+  kSampledGraphics,
+  // GENERAL
+  kStorageReadCompute,
+  kStorageWriteCompute,
+  kStorageReadWriteCompute,
+  kColorWrite,      ///< colour attachment, cleared or fully overwritten
+  kColorReadWrite,  ///< colour attachment, loaded (blending over what is there)
+  kDepthWrite,      ///< depth attachment, cleared
+  kDepthReadWrite,  ///< depth attachment, loaded and written
+  kDepthRead,       ///< depth attachment, tested only
+  kTransferRead,
+  kTransferWrite,
+  kUniform,
+  kIndirect,
+  kPresent  ///< read by the window system: PRESENT_SRC
 };
 constexpr bool writes(Use use);
 
 class PassContext;
 
 struct PassTime {
-  std::string name, owner;   ///< owner: "engine" or a plugin's id
+  std::string name, owner;  ///< owner: "engine" or a plugin's id
   double milliseconds = 0;
 };
 
 struct GraphStatistics {
   std::uint32_t passesDeclared = 0, passesRun = 0, barriers = 0;
-  VkDeviceSize transientBytes = 0;       ///< memory of transients, shared
+  VkDeviceSize transientBytes = 0;          ///< memory of transients, shared
   VkDeviceSize transientBytesUnshared = 0;  ///< what they would take each on its own
 };
 
@@ -54,6 +71,7 @@ class GraphMemory {
   ~GraphMemory();
   struct State;
   State& state() { return *state_; }
+
  private:
   std::unique_ptr<State> state_;
 };
@@ -63,22 +81,28 @@ class Graph {
   Graph(gpu::Device& device, GraphMemory& memory);
   ~Graph();
 
-  /// A transient image: usage flags are derived from the passes. Contents are undefined until the first write of the frame.
+  /// A transient image: usage flags are derived from the passes. Contents are undefined until the first write of the
+  /// frame.
   ImageRef image(const gpu::ImageDesc& desc, std::string_view owner = "engine");
   BufferRef buffer(const gpu::BufferDesc& desc, std::string_view owner = "engine");
-  /// A resource the caller keeps. Its layout between frames is `layout` (UNDEFINED discards contents at the frame's start).
-  /// A written import counts as needed: its writers are never dropped.
+  /// A resource the caller keeps. Its layout between frames is `layout` (UNDEFINED discards contents at the frame's
+  /// start). A written import counts as needed: its writers are never dropped. The caller keeps the object, at its
+  /// address, until record() has returned. `layoutAfter` UNDEFINED: whatever the last use leaves. After record(),
+  /// writes to imports are visible to all later commands, and those to host-visible buffers to the host once it has
+  /// waited for the frame.
   ImageRef import(const gpu::Image& image, VkImageLayout layoutBefore, VkImageLayout layoutAfter);
   BufferRef import(const gpu::Buffer& buffer);
-  /// A foreign image (swapchain).
-  ImageRef importRaw(VkImage image, VkImageView view, const gpu::ImageDesc& desc, VkImageLayout before, VkImageLayout after);
+  /// A foreign image (swapchain) with one view of its whole.
+  ImageRef importRaw(VkImage image, VkImageView view, const gpu::ImageDesc& desc, VkImageLayout before,
+                     VkImageLayout after);
 
   class Pass {
    public:
     Pass& use(ImageRef image, Use use);
     Pass& use(BufferRef buffer, Use use);
-    Pass& keep();   ///< never dropped (side effects: readback)
+    Pass& keep();  ///< never dropped (side effects: readback)
     void run(std::function<void(PassContext&)> record);
+
    private:
     friend class Graph;
     Pass(Graph& graph, std::uint32_t index) : graph_(graph), index_(index) {}
@@ -89,17 +113,20 @@ class Graph {
 
   const gpu::ImageDesc& desc(ImageRef image) const;
 
-  /// Drops, orders lives, allocates, derives barriers. Asserts on our own mistakes (reading what nobody wrote, two writers
-  /// in one pass, a forgotten run()); a Result only for device errors such as lack of memory.
+  /// Drops, orders lives, allocates, derives barriers. Asserts on our own mistakes (reading what nobody wrote, two
+  /// writers in one pass, a forgotten run()); a Result only for device errors such as lack of memory.
   Result<void> compile();
-  /// Records every kept pass. With `timestamps`, times each (capacity must be at least the number of passes).
+  /// Records every kept pass, on the device's one queue, before another graph of the same GraphMemory compiles. May be
+  /// called again (imports must then be back in their layoutBefore). With `timestamps`, times each (capacity must be at
+  /// least the number of passes).
   void record(VkCommandBuffer commands, gpu::Timestamps* timestamps);
   /// Names and owners of the passes that record() ran, in the order of Timestamps::milliseconds().
   std::vector<PassTime> passes() const;
   GraphStatistics statistics() const;
-  VkDeviceSize ownerBytes(std::string_view owner) const;   ///< memory of that owner's transients, unshared
+  VkDeviceSize ownerBytes(std::string_view owner) const;  ///< memory of that owner's transients, unshared
 
   struct State;
+
  private:
   friend class PassContext;
   std::unique_ptr<State> state_;
@@ -115,10 +142,24 @@ class PassContext {
   VkBuffer buffer(BufferRef buffer) const;
   const gpu::ImageDesc& desc(ImageRef image) const;
 
-  struct ColorAttachment { ImageRef image; bool clear = false; VkClearColorValue value{}; gpu::ViewDesc view{}; };
-  struct DepthAttachment { ImageRef image; bool clear = false; float value = 0; bool readOnly = false; gpu::ViewDesc view{}; };
-  /// Begins dynamic rendering over the whole of the attachments (the size of the mip chosen) and sets viewport and scissor.
-  void beginRendering(std::vector<ColorAttachment> colors, const DepthAttachment* depth = nullptr, std::uint32_t layers = 1);
+  struct ColorAttachment {
+    ImageRef image;
+    bool clear = false;
+    VkClearColorValue value{};
+    gpu::ViewDesc view{};
+  };
+  struct DepthAttachment {
+    ImageRef image;
+    bool clear = false;
+    float value = 0;
+    bool readOnly = false;
+    gpu::ViewDesc view{};
+  };
+  /// Begins dynamic rendering over the whole of the attachments (the size of the mip chosen) and sets viewport and
+  /// scissor. What is not cleared is loaded if the use is a ReadWrite or this pass has rendered to it before, else
+  /// undefined.
+  void beginRendering(std::vector<ColorAttachment> colors, const DepthAttachment* depth = nullptr,
+                      std::uint32_t layers = 1);
   void endRendering();
 
  private:
@@ -130,7 +171,8 @@ class PassContext {
 
 constexpr bool writes(Use use) {
   return use == Use::kStorageWriteCompute || use == Use::kStorageReadWriteCompute || use == Use::kColorWrite ||
-         use == Use::kColorReadWrite || use == Use::kDepthWrite || use == Use::kDepthReadWrite || use == Use::kTransferWrite;
+         use == Use::kColorReadWrite || use == Use::kDepthWrite || use == Use::kDepthReadWrite ||
+         use == Use::kTransferWrite;
 }
 
 }  // namespace tyndall::render
