@@ -5,6 +5,7 @@
 
 #include "base/assert.hpp"
 #include "base/log.hpp"
+#include "pipeline_cache.hpp"
 #include "state.hpp"
 #include "vk_text.hpp"
 

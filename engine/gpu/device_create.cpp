@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "base/log.hpp"
+#include "pipeline_cache.hpp"
 #include "state.hpp"
 #include "vk_text.hpp"
 

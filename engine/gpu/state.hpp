@@ -50,8 +50,8 @@ struct Device::State {
   bool anisotropy = false, geometryShader = false, debugNames = false;
 
   VkPipelineCache pipelineCache = VK_NULL_HANDLE;
-  std::filesystem::path pipelineCacheFile;  ///< empty: nowhere to keep it
-  std::uint64_t pipelineCacheHash = 0;      ///< of what was read, to write only what changed
+  std::filesystem::path pipelineCacheFile;   ///< empty: nowhere to keep it
+  std::vector<std::byte> pipelineCacheRead;  ///< the file's content, to write only what changed
 
   std::unique_ptr<Allocator> allocator;
 
@@ -136,8 +136,5 @@ struct Features {
   struct Named { const char* name; VkBool32* flag; };
   std::vector<Named> required(), optional();
 };
-
-void openPipelineCache(Device::State& state, const VkPhysicalDeviceProperties& properties);
-void savePipelineCache(Device::State& state);
 
 }  // namespace tyndall::gpu

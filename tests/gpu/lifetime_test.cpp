@@ -46,12 +46,14 @@ TEST_F(GpuLifetime, ResourcesMayGoInsideAOneShotSubmission) {
   ASSERT_TRUE(target.ok());
   const VkDeviceSize start = device->allocatedBytes();
   TY_EXPECT_OK(device->submitAndWait([&](VkCommandBuffer commands) {
-    auto source = device->createBuffer({.name = "source", .size = 256, .usage = kBufferCopies});
-    ASSERT_TRUE(source.ok());
-    const VkBufferCopy copy{0, 0, 256};
-    vkCmdFillBuffer(commands, source->handle(), 0, 256, 0);
-    fullBarrier(commands);
-    vkCmdCopyBuffer(commands, source->handle(), target->handle(), 1, &copy);
+    {
+      auto source = device->createBuffer({.name = "source", .size = 256, .usage = kBufferCopies});
+      ASSERT_TRUE(source.ok());
+      const VkBufferCopy copy{0, 0, 256};
+      vkCmdFillBuffer(commands, source->handle(), 0, 256, 0);
+      fullBarrier(commands);
+      vkCmdCopyBuffer(commands, source->handle(), target->handle(), 1, &copy);
+    }
     TY_EXPECT_OK(device->submitAndWait([](VkCommandBuffer inner) { fullBarrier(inner); }));
   }));
   EXPECT_EQ(device->allocatedBytes(), start);

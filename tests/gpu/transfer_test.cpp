@@ -87,6 +87,36 @@ TEST_F(GpuTransfer, MoreThanTheStagingBufferGoesInPieces) {
   EXPECT_TRUE(*backBuffer == texels);
 }
 
+TEST_F(GpuTransfer, AViewShowsTheMipAndLayerAskedFor) {
+  // A value of its own in each of 3 layers x 2 mips, read through views of every kind.
+  auto image = device->createImage({.name = "stack", .format = VK_FORMAT_R32_SFLOAT, .width = 2, .height = 2, .layers = 3, .mips = 2, .usage = kCopies});
+  auto out = device->createBuffer({.name = "out", .size = 4, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, .hostVisible = true});
+  ASSERT_TRUE(image.ok() && out.ok());
+  for (std::uint32_t layer = 0; layer < 3; ++layer)
+    for (std::uint32_t mip = 0; mip < 2; ++mip)
+      TY_EXPECT_OK(device->upload(*image, bytesOf(std::vector<float>(mip ? 1 : 4, static_cast<float>(layer * 10 + mip))), mip, layer));
+  const auto read = [&](const ViewDesc& view, const std::string& type, const std::string& at) {
+    const auto shader = compile("comp", "layout(local_size_x = 1) in; layout(binding = 0) uniform " + type +
+        " s; layout(binding = 1) buffer B { float v; }; void main() { v = texelFetch(s, " + at + ").r; }");
+    auto pipeline = createPipeline(*device, ComputePipelineDesc{.name = "read", .shader = shader, .bindings = {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {1}}});
+    EXPECT_TRUE(pipeline.ok());
+    const VkSampler sampler = device->sampler({VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO});
+    TY_EXPECT_OK(device->submitAndWait([&](VkCommandBuffer commands) {
+      vkCmdBindPipeline(commands, pipeline->bindPoint(), pipeline->handle());
+      Descriptors(commands, *pipeline).sampled(0, image->view(view), sampler).storageBuffer(1, out->handle()).push();
+      vkCmdDispatch(commands, 1, 1, 1);
+    }));
+    return valuesOf<float>(*device->readback(*out)).at(0);
+  };
+  EXPECT_EQ(read({}, "sampler2DArray", "ivec3(1, 0, 2), 0"), 20);
+  EXPECT_EQ(read({}, "sampler2DArray", "ivec3(0, 0, 1), 1"), 11);
+  EXPECT_EQ(read({.baseMip = 1, .baseLayer = 1, .layerCount = 1}, "sampler2D", "ivec2(0), 0"), 11);
+  EXPECT_EQ(read({.baseLayer = 2, .layerCount = 1, .array = true}, "sampler2DArray", "ivec3(0), 1"), 21);
+  EXPECT_EQ(read({.baseLayer = 1}, "sampler2DArray", "ivec3(0, 0, 1), 0"), 20);
+  EXPECT_EQ(image->view({}), image->view({.mipCount = 2, .layerCount = 3, .array = true})) << "the same part, asked for twice";
+  EXPECT_DEATH(image->view({.baseLayer = 3}), "view outside of image 'stack'");
+}
+
 TEST_F(GpuTransfer, PartOfABufferIsReplaced) {
   for (const bool hostVisible : {false, true}) {
     auto buffer = device->createBuffer({.name = "part", .size = 100,

@@ -1,0 +1,90 @@
+// The allocator's blocks on a real device: few, shared, returned.
+#include <random>
+
+#include "gpu_test.hpp"
+#include "memory.hpp"
+
+namespace tyndall::gpu::test {
+namespace {
+
+class GpuMemory : public GpuTest {
+ protected:
+  void SetUp() override {
+    GpuTest::SetUp();
+    if (device) allocator = std::make_unique<Allocator>(device->physical(), device->handle());
+  }
+  void TearDown() override {
+    allocator.reset();
+    GpuTest::TearDown();
+  }
+  std::shared_ptr<Allocation> take(VkDeviceSize size, MemoryUse use = MemoryUse::kDevice, VkDeviceSize alignment = 256) {
+    auto made = allocator->allocate({size, alignment, ~0u}, use, "test");
+    EXPECT_TRUE(made.ok()) << made.error().message;
+    return made.ok() ? made.take() : nullptr;
+  }
+  std::unique_ptr<Allocator> allocator;
+};
+
+constexpr VkDeviceSize kMiB = 1 << 20;
+
+TEST_F(GpuMemory, SmallRequestsShareABlockAndBigOnesHaveTheirOwn) {
+  std::vector<std::shared_ptr<Allocation>> held;
+  for (int i = 0; i < 50; ++i) held.push_back(take(kMiB));
+  EXPECT_EQ(allocator->blockCount(), 1u);
+  EXPECT_EQ(allocator->usedBytes(), 50 * kMiB);
+  held.push_back(take(80 * kMiB));
+  EXPECT_EQ(allocator->blockCount(), 2u);
+  held.pop_back();
+  EXPECT_EQ(allocator->blockCount(), 1u) << "a big request's own block goes with it";
+  held.clear();
+  EXPECT_EQ(allocator->usedBytes(), 0u);
+}
+
+TEST_F(GpuMemory, RangesDoNotOverlapAndChurnLeavesAtMostOneEmptyBlock) {
+  std::mt19937 engine(11);
+  for (int round = 0; round < 3; ++round) {
+    std::vector<std::shared_ptr<Allocation>> held;
+    for (int step = 0; step < 1500; ++step) {
+      if (engine() % 3) {
+        held.push_back(take(1 + engine() % (2 * kMiB), MemoryUse::kDevice, VkDeviceSize{1} << engine() % 14));
+      } else if (!held.empty()) {
+        held.erase(held.begin() + static_cast<std::ptrdiff_t>(engine() % held.size()));
+      }
+      if (held.size() > 200) held.resize(100);
+    }
+    for (const auto& a : held)
+      for (const auto& b : held)
+        ASSERT_TRUE(a == b || a->memory != b->memory || a->offset + a->size <= b->offset || b->offset + b->size <= a->offset);
+    VkDeviceSize sum = 0;
+    for (const auto& a : held) sum += a->size;
+    EXPECT_EQ(allocator->usedBytes(), sum);
+    EXPECT_GT(allocator->blockCount(), 1u);
+    held.clear();
+    EXPECT_EQ(allocator->usedBytes(), 0u);
+    EXPECT_EQ(allocator->blockCount(), 1u) << "round " << round;
+  }
+}
+
+TEST_F(GpuMemory, WhatTheHostUsesIsMapped) {
+  for (const MemoryUse use : {MemoryUse::kUpload, MemoryUse::kReadback}) {
+    const auto first = take(kMiB, use), second = take(kMiB, use);
+    ASSERT_TRUE(first->mapped && second->mapped);
+    std::memset(first->mapped, 1, kMiB);
+    std::memset(second->mapped, 2, kMiB);
+    EXPECT_EQ(first->mapped[kMiB - 1], std::byte{1});
+  }
+}
+
+TEST_F(GpuMemory, TheHeapIsNotExceeded) {
+  VkPhysicalDeviceMemoryProperties memory{};
+  vkGetPhysicalDeviceMemoryProperties(device->physical(), &memory);
+  VkDeviceSize largest = 0;
+  for (std::uint32_t i = 0; i < memory.memoryHeapCount; ++i) largest = std::max(largest, memory.memoryHeaps[i].size);
+  auto made = allocator->allocate({largest + 1, 256, ~0u}, MemoryUse::kDevice, "everything");
+  ASSERT_FALSE(made.ok());
+  EXPECT_NE(made.error().message.find("'everything'"), std::string::npos) << made.error().message;
+  EXPECT_EQ(allocator->blockCount(), 0u);
+}
+
+}  // namespace
+}  // namespace tyndall::gpu::test
