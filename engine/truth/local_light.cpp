@@ -26,7 +26,10 @@ LocalLight::LocalLight(const scene::LightView& light, const glm::dvec3& eye)
 
 double LocalLight::attenuation(double distance, double cosineToAxis) const {
   double value = 1 / (distance * distance);
-  if (range_) value *= std::clamp(1 - std::pow(distance / *range_, 4), 0.0, 1.0);
+  if (range_) {
+    const double share = distance * distance / (*range_ * *range_);
+    value *= std::clamp(1 - share * share, 0.0, 1.0);
+  }
   if (spot_) {
     const double angular = std::clamp(cosineToAxis * angleScale_ + angleOffset_, 0.0, 1.0);
     value *= angular * angular;

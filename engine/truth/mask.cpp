@@ -33,26 +33,26 @@ std::int64_t wrapped(std::int64_t texel, std::int64_t size, scene::Wrap wrap) {
 
 }  // namespace
 
-glm::dvec2 transformed(const scene::TextureUse& use, glm::dvec2 uv) {
-  const glm::dvec2 scaled = glm::dvec2(use.scale) * uv;
+glm::dmat3x2 uvTransform(const scene::TextureUse& use) {
   const double c = std::cos(double{use.rotation}), s = std::sin(double{use.rotation});
-  return glm::dvec2(use.offset) + glm::dvec2(c * scaled.x + s * scaled.y, c * scaled.y - s * scaled.x);
+  return {double{use.scale.x} * glm::dvec2(c, -s), double{use.scale.y} * glm::dvec2(s, c), glm::dvec2(use.offset)};
 }
 
 double fetchAlpha(const scene::Image& image, const scene::Sampler& sampler, glm::dvec2 uv) {
   const std::int64_t width = image.width, height = image.height;
   const double x = reduced(uv.x, sampler.wrapU) * static_cast<double>(width);
   const double y = reduced(uv.y, sampler.wrapV) * static_cast<double>(height);
-  const auto texel = [&](double column, double row) {
-    const std::int64_t i = wrapped(static_cast<std::int64_t>(column), width, sampler.wrapU);
-    const std::int64_t j = wrapped(static_cast<std::int64_t>(row), height, sampler.wrapV);
+  const auto column = [&](double i) { return wrapped(static_cast<std::int64_t>(i), width, sampler.wrapU); };
+  const auto row = [&](double j) { return wrapped(static_cast<std::int64_t>(j), height, sampler.wrapV); };
+  const auto texel = [&](std::int64_t i, std::int64_t j) {
     return image.rgba[static_cast<std::size_t>((j * width + i) * 4 + 3)] / 255.0;
   };
-  if (sampler.magnify == scene::Filter::kNearest) return texel(std::floor(x), std::floor(y));
+  if (sampler.magnify == scene::Filter::kNearest) return texel(column(std::floor(x)), row(std::floor(y)));
   const double i = std::floor(x - 0.5), j = std::floor(y - 0.5);
   const double a = x - 0.5 - i, b = y - 0.5 - j;
-  return (1 - b) * ((1 - a) * texel(i, j) + a * texel(i + 1, j)) +
-         b * ((1 - a) * texel(i, j + 1) + a * texel(i + 1, j + 1));
+  const std::int64_t left = column(i), right = column(i + 1), top = row(j), bottom = row(j + 1);
+  return (1 - b) * ((1 - a) * texel(left, top) + a * texel(right, top)) +
+         b * ((1 - a) * texel(left, bottom) + a * texel(right, bottom));
 }
 
 Mask::Mask(const scene::Scene& scene, const scene::Primitive& primitive, const scene::Material& material)
@@ -63,6 +63,7 @@ Mask::Mask(const scene::Scene& scene, const scene::Primitive& primitive, const s
   if (texture.image == scene::kNone) return;
   image_ = &scene.images[static_cast<std::size_t>(texture.image)];
   sampler_ = texture.sampler;
+  uvTransform_ = uvTransform(use);
 }
 
 bool Mask::covers(std::uint32_t triangle, double u, double v) const {
@@ -73,7 +74,7 @@ bool Mask::covers(std::uint32_t triangle, double u, double v) const {
   double alpha = double{material_.baseColor.a} * (w * a.color.a + u * b.color.a + v * c.color.a);
   if (image_) {
     const glm::dvec2 uv = w * glm::dvec2(a.uv) + u * glm::dvec2(b.uv) + v * glm::dvec2(c.uv);
-    alpha *= fetchAlpha(*image_, sampler_, transformed(material_.baseColorTexture, uv));
+    alpha *= fetchAlpha(*image_, sampler_, uvTransform_ * glm::dvec3(uv, 1));
   }
   return alpha >= double{material_.alphaCutoff};
 }

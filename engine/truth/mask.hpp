@@ -9,9 +9,9 @@
 
 namespace tyndall::truth {
 
-/// KHR_texture_transform: offset + rotation * (scale * uv). The rotation is counter-clockwise to the eye; as v points
-/// down, it takes (1, 0) to (cos, -sin).
-glm::dvec2 transformed(const scene::TextureUse& use, glm::dvec2 uv);
+/// KHR_texture_transform as a matrix for (u, v, 1): offset + rotation * (scale * uv). The rotation is counter-clockwise
+/// to the eye; as v points down, it takes (1, 0) to (cos, -sin).
+glm::dmat3x2 uvTransform(const scene::TextureUse& use);
 
 /// Alpha in [0, 1]: bilinear over the texels around uv * size - 1/2, or the texel at uv * size when the sampler
 /// magnifies with kNearest; wrapped as the sampler says. `image` is not empty.
@@ -32,6 +32,7 @@ class Mask {
   const scene::Material& material_;
   const scene::Image* image_ = nullptr;  ///< null: no texture, alpha 1
   scene::Sampler sampler_;
+  glm::dmat3x2 uvTransform_{1};
 };
 
 }  // namespace tyndall::truth
