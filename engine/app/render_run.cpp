@@ -40,7 +40,8 @@ Result<void> unknownView(const Session& session, const std::string& name) {
 
 Result<RenderRun> renderFrames(Session& session, const RenderOptions& options, const scene::CameraView& camera) {
   FrameRequest request{options.size.first, options.size.second, camera, options.seconds, "", false};
-  const ReadbackWants wants{!options.picture.empty(), !options.scatter.empty(), !options.depth.empty()};
+  // The picture is always read: the graph drops passes that nobody needs, and the times are of the whole frame.
+  const ReadbackWants wants{true, !options.scatter.empty(), !options.depth.empty()};
   RenderRun run;
   std::vector<std::pair<std::string, std::string>> resolved;
   std::uint32_t unchanged = 0;

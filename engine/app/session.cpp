@@ -76,7 +76,8 @@ Result<void> Session::submitFrame(render::Graph& graph, const gpu::FrameSignals&
   auto recorded = [&]() -> Result<void> {
     if (auto compiled = graph.compile(); !compiled) return compiled;
     statistics_ = graph.statistics();
-    if (slot.timestamps.capacity() < statistics_.passesRun) {
+    // A capacity of 0 is none at all, which a graph without passes could not be recorded with.
+    if (slot.timestamps.capacity() == 0 || slot.timestamps.capacity() < statistics_.passesRun) {
       auto made = gpu::Timestamps::create(*device_, statistics_.passesRun + 16);
       if (!made) return made.error();
       slot.timestamps = made.take();

@@ -85,6 +85,19 @@ TEST_F(Render, StdoutIsATableOfThePassesAndTheFiles) {
   for (const char* word : {"96x54", "total", "a.png", "volumetrics"}) EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
 }
 
+TEST_F(Render, TheWholeFrameIsTimedWhateverIsWritten) {
+  const auto names = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> list;
+    const json stats = statsOf(folder_, with(kSmall, more));
+    for (const json& pass : stats.at("passes")) list.push_back(pass.at("name"));
+    return list;
+  };
+  const std::vector<std::string> all = names({"--out", "a.png"});
+  EXPECT_GE(all.size(), 5u);
+  EXPECT_EQ(names({}), all);
+  EXPECT_EQ(names({"--scatter", "s.exr"}), all);
+}
+
 TEST_F(Render, SettingsInAnyOrderAndTheLaterWins) {
   const std::vector<std::string> one = {"--set", "volumetrics.technique=ray_march", "--set", "volumetrics.steps=16", "--set", "medium.g=0.25"};
   const std::vector<std::string> other = {"--set", "medium.g=0.9", "--set", "medium.g=0.25", "--set", "volumetrics.steps=16", "--set", "volumetrics.technique=ray_march"};
