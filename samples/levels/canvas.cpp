@@ -7,7 +7,9 @@
 namespace tyndall::levels {
 namespace {
 
-std::uint8_t byte(float value) { return static_cast<std::uint8_t>(std::lround(255.0f * glm::clamp(value, 0.0f, 1.0f))); }
+std::uint8_t byte(float value) {
+  return static_cast<std::uint8_t>(std::lround(255.0f * glm::clamp(value, 0.0f, 1.0f)));
+}
 
 scene::Image blank(const std::string& name, int width, int height) {
   scene::Image image;
@@ -31,18 +33,22 @@ Surface::Surface(int w, int h, const std::function<Texel(glm::vec2 uv)>& paint) 
 
 scene::Image Surface::colorImage(const std::string& name) const {
   scene::Image image = blank(name, width, height);
-  for (const Texel& t : texels) image.rgba.insert(image.rgba.end(), {byte(t.color.r), byte(t.color.g), byte(t.color.b), 255});
+  for (const Texel& t : texels)
+    image.rgba.insert(image.rgba.end(), {byte(t.color.r), byte(t.color.g), byte(t.color.b), 255});
   return image;
 }
 
 scene::Image Surface::normalImage(const std::string& name) const {
   scene::Image image = blank(name, width, height);
-  const auto at = [&](int x, int y) { return texels[static_cast<std::size_t>((y + height) % height) * width + (x + width) % width].height; };
+  const auto at = [&](int x, int y) {
+    return texels[static_cast<std::size_t>((y + height) % height) * width + (x + width) % width].height;
+  };
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       // Green points up in the image, against the rows.
       const glm::vec3 n = glm::normalize(glm::vec3(at(x - 1, y) - at(x + 1, y), at(x, y + 1) - at(x, y - 1), 2.0f));
-      image.rgba.insert(image.rgba.end(), {byte(0.5f + 0.5f * n.x), byte(0.5f + 0.5f * n.y), byte(0.5f + 0.5f * n.z), 255});
+      image.rgba.insert(image.rgba.end(),
+                        {byte(0.5f + 0.5f * n.x), byte(0.5f + 0.5f * n.y), byte(0.5f + 0.5f * n.z), 255});
     }
   }
   return image;

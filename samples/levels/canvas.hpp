@@ -10,8 +10,8 @@ namespace tyndall::levels {
 
 /// A surface's texel: what all of a material's images are made from.
 struct Texel {
-  glm::vec3 color{1};    ///< sRGB-coded
-  float height = 0;      ///< in texel widths: a step of 1 between neighbours is a slope of 45 degrees
+  glm::vec3 color{1};  ///< sRGB-coded
+  float height = 0;    ///< in texel widths: a step of 1 between neighbours is a slope of 45 degrees
   float roughness = 1;
 };
 
@@ -30,7 +30,8 @@ struct Surface {
 /// A cut-out picture: premultiplied while painting, four samples a side for smooth edges.
 class Cutout {
  public:
-  Cutout(int width, int height) : width_(width), height_(height), rgba_(static_cast<std::size_t>(width) * height, glm::vec4(0)) {}
+  Cutout(int width, int height)
+      : width_(width), height_(height), rgba_(static_cast<std::size_t>(width) * height, glm::vec4(0)) {}
   /// Lays over everything painted so far. `shape` is asked at texture coordinates inside [min, max] (clipped to the
   /// image) and answers colour and coverage.
   void paint(glm::vec2 min, glm::vec2 max, const std::function<glm::vec4(glm::vec2 uv)>& shape);

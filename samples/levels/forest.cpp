@@ -7,7 +7,7 @@ namespace {
 
 using namespace forest;
 
-constexpr float kFar = 160.0f;  // metres: across the terrain with room above the trees
+constexpr float kFar = 160.0f;                               // metres: across the terrain with room above the trees
 constexpr float kSunElevation = 27.0f, kSunAzimuth = 37.0f;  // degrees; azimuth from +x towards -z
 
 std::int32_t foliage(LevelBuilder& level, const std::string& name, std::int32_t texture, const glm::vec3& tint) {
@@ -46,12 +46,14 @@ void addCameras(LevelBuilder& level) {
   level.camera("1 towards the sun", above(-6.0f, 5.5f, 1.6f), {8.0f, 6.0f, -5.0f}, 65, kFar);
   level.camera("2 away from the sun", above(8.5f, -6.5f, 1.7f), {-8.0f, 1.0f, 5.6f}, 65, kFar);
   const std::int32_t tour = level.camera("3 tour", {0, 2, 8}, {0, 2, 0}, 60, kFar);
-  level.animateTour(tour, {{{-3.0f, 2.0f, 10.0f}, {1.0f, 2.6f, -4.0f}},
-                           {{2.5f, 2.3f, 4.6f}, {2.0f, 2.8f, -8.0f}},
-                           {{2.6f, 1.9f, -2.5f}, {9.0f, 4.5f, -7.5f}},
-                           {{-2.0f, 2.6f, -6.5f}, {6.0f, 4.5f, -8.0f}},
-                           {{-6.5f, 2.4f, -1.8f}, {2.0f, 2.6f, 0.0f}},
-                           {{-7.0f, 2.2f, 5.5f}, {0.0f, 2.4f, 0.5f}}}, 24.0f);
+  level.animateTour(tour,
+                    {{{-3.0f, 2.0f, 10.0f}, {1.0f, 2.6f, -4.0f}},
+                     {{2.5f, 2.3f, 4.6f}, {2.0f, 2.8f, -8.0f}},
+                     {{2.6f, 1.9f, -2.5f}, {9.0f, 4.5f, -7.5f}},
+                     {{-2.0f, 2.6f, -6.5f}, {6.0f, 4.5f, -8.0f}},
+                     {{-6.0f, 2.4f, -1.4f}, {2.0f, 2.6f, 0.0f}},
+                     {{-5.4f, 2.2f, 6.6f}, {0.0f, 2.4f, 0.5f}}},
+                    24.0f);
 }
 
 }  // namespace
@@ -59,7 +61,8 @@ void addCameras(LevelBuilder& level) {
 scene::Scene makeForest() {
   LevelBuilder level("forest");
   const float elevation = glm::radians(kSunElevation), azimuth = glm::radians(kSunAzimuth);
-  const glm::vec3 toSun{glm::cos(elevation) * glm::cos(azimuth), glm::sin(elevation), -glm::cos(elevation) * glm::sin(azimuth)};
+  const glm::vec3 toSun{glm::cos(elevation) * glm::cos(azimuth), glm::sin(elevation),
+                        -glm::cos(elevation) * glm::sin(azimuth)};
   level.sun(toSun, {1.0f, 0.83f, 0.60f}, 10.0f);
   addCameras(level);
   const Materials m = addMaterials(level);

@@ -58,15 +58,17 @@ scene::Image leafyTwig() {
       const float spread = (i == leaves - 1 ? 0.0f : side * random.range(0.7f, 1.15f));
       const float tone = random.unit();
       const vec3 color = glm::mix(vec3(0.22f, 0.34f, 0.10f), vec3(0.43f, 0.53f, 0.17f), tone);
-      leaf(canvas, from + along * (length * s), angle + spread, random.range(0.13f, 0.185f) * (1.0f - 0.2f * s), random.range(0.27f, 0.34f), color);
+      leaf(canvas, from + along * (length * s), angle + spread, random.range(0.085f, 0.118f) * (1.0f - 0.15f * s),
+           random.range(0.24f, 0.31f), color);
     }
   };
   stroke(canvas, {0.5f, 1.0f}, {0.5f, 0.12f}, 0.012f, wood);
-  for (int i = 0; i < 7; ++i) {
-    const float s = real(i) / 6.0f, side = i % 2 == 0 ? -1.0f : 1.0f;
-    spray({0.5f, 0.86f - 0.62f * s}, side * random.range(0.75f, 1.05f) * (1.0f - 0.35f * s), 0.32f * (1.0f - 0.35f * s), 7);
+  for (int i = 0; i < 9; ++i) {
+    const float s = real(i) / 8.0f, side = i % 2 == 0 ? -1.0f : 1.0f;
+    spray({0.5f, 0.90f - 0.66f * s}, side * random.range(0.8f, 1.1f) * (1.0f - 0.3f * s), 0.37f * (1.0f - 0.45f * s),
+          9);
   }
-  spray({0.5f, 0.34f}, 0.05f, 0.2f, 6);
+  spray({0.5f, 0.30f}, 0.05f, 0.18f, 7);
   return canvas.image("leafy twig", {0.30f, 0.41f, 0.13f});
 }
 
@@ -84,13 +86,14 @@ scene::Image spruceFrond() {
       const vec2 p = uv / scale - base;
       const float s = glm::dot(p, along), t = glm::abs(glm::dot(p, across));
       if (s < 0 || s > length + reach) return vec4(0);
-      if (t < 0.012f && s < length) return vec4(wood, 1);
+      if (t < 0.007f && s < length) return vec4(wood, 1);
       const float root = s - 0.7f * t;  // where the needle leaves the twig
       const float longest = reach * (1.0f - 0.35f * root / length);
       if (root < 0 || root > length || t > longest) return vec4(0);
       const float needle = glm::fract(root * 46.0f + shift + (glm::dot(p, across) < 0 ? 0.5f : 0.0f));
-      if (needle > 0.64f - 0.2f * t / longest) return vec4(0);
-      const vec3 color = glm::mix(vec3(0.13f, 0.215f, 0.105f), vec3(0.25f, 0.36f, 0.15f), 0.6f * tone + 0.4f * t / longest);
+      if (needle > 0.80f - 0.25f * t / longest) return vec4(0);
+      const vec3 color =
+          glm::mix(vec3(0.13f, 0.215f, 0.105f), vec3(0.25f, 0.36f, 0.15f), 0.6f * tone + 0.4f * t / longest);
       return vec4(color * (0.85f + 0.3f * needle), 1);
     });
   };
@@ -109,7 +112,8 @@ scene::Image undergrowth() {
   Cutout canvas(512, 256);  // two squares
   Random random(5);
   for (int i = 0; i < 46; ++i) {  // grass, back to front
-    const float x0 = random.range(0.14f, 0.36f), lean = random.range(-0.14f, 0.14f), high = random.range(0.4f, 0.97f), width = random.range(0.006f, 0.011f);
+    const float x0 = random.range(0.14f, 0.36f), lean = random.range(-0.14f, 0.14f), high = random.range(0.4f, 0.97f),
+                width = random.range(0.006f, 0.011f);
     const vec3 color = glm::mix(vec3(0.21f, 0.30f, 0.085f), vec3(0.50f, 0.53f, 0.22f), random.unit());
     canvas.paint({glm::max(0.0f, x0 - 0.2f), 1.0f - high}, {glm::min(0.5f, x0 + 0.2f), 1.0f}, [&](vec2 uv) {
       const float up = (1.0f - uv.y) / high;
@@ -121,7 +125,8 @@ scene::Image undergrowth() {
   const vec2 scale(0.5f, 1.0f);
   stroke(canvas, vec2(1.5f, 1.0f) * scale, vec2(1.5f, 0.08f) * scale, 0.006f, vec3(0.28f, 0.26f, 0.10f));
   for (int i = 0; i < 30; ++i) {  // the frond's pinnae, longest low down
-    const float s = real(i) / 29.0f, length = 0.46f * glm::pow(1.0f - s, 0.75f) * glm::smoothstep(-0.12f, 0.12f, s) + 0.02f;
+    const float s = real(i) / 29.0f,
+                length = 0.46f * glm::pow(1.0f - s, 0.75f) * glm::smoothstep(-0.12f, 0.12f, s) + 0.02f;
     for (const float side : {-1.0f, 1.0f}) {
       const vec3 color = glm::mix(vec3(0.20f, 0.33f, 0.09f), vec3(0.36f, 0.48f, 0.15f), random.unit());
       const float angle = side * (1.30f - 0.45f * s);
@@ -132,7 +137,7 @@ scene::Image undergrowth() {
         const vec2 p = uv / scale - base;
         const float u = glm::dot(p, along) / length, t = glm::abs(glm::dot(p, across));
         if (u < 0 || u > 1) return vec4(0);
-        const float width = 0.034f * (1.0f - 0.85f * u) * (0.55f + 0.45f * glm::abs(glm::sin(u * length * 46.0f)));
+        const float width = 0.027f * (1.0f - 0.8f * u) * (0.55f + 0.45f * glm::abs(glm::sin(u * length * 46.0f)));
         return t > width ? vec4(0) : vec4(color * (t < 0.004f ? 1.2f : 1.0f), 1);
       });
     }

@@ -17,7 +17,8 @@ glm::vec3 onGround(float x, float z) { return {x, groundY(x, z), z}; }
 
 glm::vec3 groundNormal(float x, float z) {
   const float step = 0.3f;
-  return glm::normalize(glm::vec3(groundY(x - step, z) - groundY(x + step, z), 2 * step, groundY(x, z - step) - groundY(x, z + step)));
+  return glm::normalize(
+      glm::vec3(groundY(x - step, z) - groundY(x + step, z), 2 * step, groundY(x, z - step) - groundY(x, z + step)));
 }
 
 /// Lush in the clearing and by the water, brown under the trees, dark and wet at the creek's edge.
@@ -46,9 +47,13 @@ void fern(MeshBuilder& b, Random& random, const glm::vec3& at, float size) {
   for (int i = 0; i < fronds; ++i) {
     const float angle = turn + 2.0f * glm::pi<float>() * (real(i) + random.range(-0.2f, 0.2f)) / real(fronds);
     const glm::vec3 out{glm::cos(angle), 0, glm::sin(angle)}, right = glm::vec3(-out.z, 0, out.x) * (0.55f * size);
-    const glm::vec3 rise = (out * 0.45f + glm::vec3(0, 0.62f, 0)) * (0.55f * size), droop = (out * 0.75f + glm::vec3(0, random.range(-0.2f, 0.1f), 0)) * (0.55f * size);
-    card(b, at, right, rise, glm::normalize(glm::cross(right, rise) * glm::sign(glm::cross(right, rise).y) + glm::vec3(0, 0.2f, 0)), {0.5f, 0.5f}, {1, 1});
-    card(b, at + rise, right, droop, glm::normalize(glm::cross(right, droop) * glm::sign(glm::cross(right, droop).y)), {0.5f, 0}, {1, 0.5f});
+    const glm::vec3 rise = (out * 0.45f + glm::vec3(0, 0.62f, 0)) * (0.55f * size),
+                    droop = (out * 0.75f + glm::vec3(0, random.range(-0.2f, 0.1f), 0)) * (0.55f * size);
+    card(b, at, right, rise,
+         glm::normalize(glm::cross(right, rise) * glm::sign(glm::cross(right, rise).y) + glm::vec3(0, 0.2f, 0)),
+         {0.5f, 0.5f}, {1, 1});
+    card(b, at + rise, right, droop, glm::normalize(glm::cross(right, droop) * glm::sign(glm::cross(right, droop).y)),
+         {0.5f, 0}, {1, 0.5f});
   }
 }
 
@@ -61,7 +66,8 @@ std::int32_t bushMesh(LevelBuilder& level, const Materials& m, int seed) {
     tube(wood, {{0, -0.1f, 0}, out * (0.5f * length), out * length + glm::vec3(0, 0.1f, 0)}, {0.03f, 0.02f, 0.006f}, 4);
     for (int k = 0; k < 7; ++k) {
       const glm::vec3 at = out * (length * random.range(0.35f, 1.0f)) + random.direction() * 0.15f;
-      const glm::vec3 up = glm::normalize(out + 0.8f * random.direction() + glm::vec3(0, 0.3f, 0)), right = glm::normalize(glm::cross(up, random.direction()));
+      const glm::vec3 up = glm::normalize(out + 0.8f * random.direction() + glm::vec3(0, 0.3f, 0)),
+                      right = glm::normalize(glm::cross(up, random.direction()));
       leaves.color = glm::vec4(glm::vec3(random.range(0.7f, 1.05f)), 1);
       const float size = random.range(0.42f, 0.6f);
       card(leaves, at, right * size, up * size, glm::normalize(at + glm::vec3(0, 0.3f, 0)));
@@ -94,7 +100,8 @@ void addTerrain(LevelBuilder& level, const Materials& m) {
   MeshBuilder ground;
   const float size = 2 * kHalfSize;
   // v runs to -z, so that the front is above.
-  surface(ground, kCells, kCells, {size, size}, [&](float u, float v) { return onGround(size * u - kHalfSize, kHalfSize - size * v); });
+  surface(ground, kCells, kCells, {size, size},
+          [&](float u, float v) { return onGround(size * u - kHalfSize, kHalfSize - size * v); });
   scene::Primitive primitive = ground.finish(m.litter, kGroundTile);
   for (scene::Vertex& v : primitive.vertices) v.color = glm::vec4(groundTint(v.position.x, v.position.z), 1);
   MeshBuilder water;
@@ -118,8 +125,12 @@ void addUndergrowth(LevelBuilder& level, const Materials& m, const std::vector<P
   };
   // Quarters, so that a view culls what it does not see.
   MeshBuilder quarter[4];
-  const auto within = [&](float reach) { return reach * glm::sqrt(random.unit()) * onCircle(random.range(0, 2.0f * glm::pi<float>())); };
-  const auto builderAt = [&](const glm::vec2& p) -> MeshBuilder& { return quarter[(p.x > 0 ? 1 : 0) + (p.y > 0 ? 2 : 0)]; };
+  const auto within = [&](float reach) {
+    return reach * glm::sqrt(random.unit()) * onCircle(random.range(0, 2.0f * glm::pi<float>()));
+  };
+  const auto builderAt = [&](const glm::vec2& p) -> MeshBuilder& {
+    return quarter[(p.x > 0 ? 1 : 0) + (p.y > 0 ? 2 : 0)];
+  };
   for (int i = 0; i < 2600; ++i) {
     const glm::vec2 p = within(20.0f);
     const float thick = valueNoise(p * 0.5f + 300.0f, kNoPeriod, 5) - 0.02f * glm::length(p);

@@ -10,9 +10,9 @@ struct Materials {
   std::int32_t litter, bark, birch, rock, planks, leaves, paleLeaves, needles, undergrowth, water;
 };
 
-inline constexpr float kHalfSize = 40.0f;   ///< the terrain reaches from -40 m to 40 m in x and z
-inline constexpr int kCells = 96;           ///< a side
-inline constexpr float kBridgeX = 2.5f;     ///< the bridge crosses the creek here, along z
+inline constexpr float kHalfSize = 40.0f;  ///< the terrain reaches from -40 m to 40 m in x and z
+inline constexpr int kCells = 96;          ///< a side
+inline constexpr float kBridgeX = 2.5f;    ///< the bridge crosses the creek here, along z
 inline constexpr float kWaterY = -0.42f;
 
 /// The ground's height; the terrain's triangles lie within a few centimetres of it.

@@ -11,10 +11,10 @@ Surface litter();     ///< moss, soil and fallen leaves
 Surface roughBark();  ///< ridges along v
 Surface birchBark();
 Surface rock();
-Surface planks();     ///< weathered wood, grain along u
+Surface planks();  ///< weathered wood, grain along u
 
-scene::Image leafyTwig();   ///< a twig of a broad-leaved tree
-scene::Image spruceFrond(); ///< a flat branch with needles
+scene::Image leafyTwig();    ///< a twig of a broad-leaved tree
+scene::Image spruceFrond();  ///< a flat branch with needles
 /// Left half: a tuft of grass; right half: a fern's frond.
 scene::Image undergrowth();
 

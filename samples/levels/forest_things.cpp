@@ -20,10 +20,12 @@ std::int32_t rockMesh(LevelBuilder& level, const Materials& m, std::uint64_t see
   const glm::vec3 stretch{random.range(0.9f, 1.3f), random.range(0.55f, 0.8f), random.range(0.8f, 1.1f)};
   MeshBuilder stone;
   surface(stone, 22, 14, {6, 3}, [&](float u, float v) {
-    const float angle = 2.0f * glm::pi<float>() * u, tilt = glm::mix(0.012f, glm::pi<float>() - 0.012f, v);  // no pole: it has no normal
+    const float angle = 2.0f * glm::pi<float>() * u,
+                tilt = glm::mix(0.012f, glm::pi<float>() - 0.012f, v);  // no pole: it has no normal
     const glm::vec3 d{glm::cos(angle) * glm::sin(tilt), -glm::cos(tilt), -glm::sin(angle) * glm::sin(tilt)};
     float sum = 0;  // smooth minimum: eighth-power mean of the planes' inverse distances
-    for (const glm::vec4& plane : planes) sum += glm::pow(glm::max(0.0f, glm::dot(d, glm::vec3(plane))) / plane.w, 8.0f);
+    for (const glm::vec4& plane : planes)
+      sum += glm::pow(glm::max(0.0f, glm::dot(d, glm::vec3(plane))) / plane.w, 8.0f);
     return d * glm::pow(sum + 0.2f, -0.125f) * stretch;
   });
   return level.mesh("rock", {stone.finish(m.rock, kRockTile)});
@@ -47,9 +49,12 @@ std::vector<Place> addTrees(LevelBuilder& level, const Materials& m) {
     return true;
   };
   // The trees that frame the views stand where they are wanted; chance fills the rest.
-  const std::pair<glm::vec2, int> chosen[] = {{{-7.0f, -5.5f}, 0}, {{9.5f, -3.0f}, 2}, {{11.0f, -8.5f}, 0}, {{6.5f, -13.0f}, 1}, {{-1.5f, -14.0f}, 4}, {{-9.5f, -11.5f}, 1},
-                                              {{14.5f, 0.5f}, 3}, {{-10.5f, 1.5f}, 2}, {{12.5f, -14.0f}, 4}, {{3.0f, -18.5f}, 3}, {{17.5f, -6.5f}, 1}, {{-4.8f, -10.0f}, 5}};
-  for (const auto& [at, kind] : chosen) put(at, meshes.full[static_cast<std::size_t>(kind)], random.range(0.92f, 1.1f), 0.5f);
+  const std::pair<glm::vec2, int> chosen[] = {{{-7.0f, -5.5f}, 0}, {{9.5f, -3.0f}, 2},   {{11.0f, -8.5f}, 0},
+                                              {{6.5f, -13.0f}, 1}, {{-1.5f, -14.0f}, 4}, {{-9.5f, -11.5f}, 1},
+                                              {{14.5f, 0.5f}, 3},  {{-10.5f, 1.5f}, 2},  {{12.5f, -14.0f}, 4},
+                                              {{3.0f, -18.5f}, 3}, {{17.5f, -6.5f}, 1},  {{-4.8f, -10.0f}, 5}};
+  for (const auto& [at, kind] : chosen)
+    put(at, meshes.full[static_cast<std::size_t>(kind)], random.range(0.92f, 1.1f), 0.5f);
   for (int i = 0, count = 0; i < 4000 && count < 20; ++i) {
     const float angle = random.range(0, 2.0f * glm::pi<float>()), far = random.range(10.0f, 24.0f);
     const glm::vec2 p = far * glm::vec2(glm::cos(angle), glm::sin(angle));
@@ -71,27 +76,38 @@ std::vector<Place> addTrees(LevelBuilder& level, const Materials& m) {
 void addRocks(LevelBuilder& level, const Materials& m) {
   const std::int32_t rocks[] = {rockMesh(level, m, 61), rockMesh(level, m, 62), rockMesh(level, m, 63)};
   Random random(606);
-  const auto put = [&](const glm::vec2& p, float scale, int kind) { level.node("rock", rocks[kind], onGround(p) - glm::vec3(0, 0.22f * scale, 0), random.range(0, 6), scale); };
-  put({-4.6f, -1.2f}, 1.05f, 0), put({-5.7f, 0.1f}, 0.6f, 1), put({5.6f, -0.4f}, 0.8f, 2), put({6.4f, -1.5f}, 0.45f, 0), put({-0.5f, -8.4f}, 1.5f, 1);
+  const auto put = [&](const glm::vec2& p, float scale, int kind) {
+    level.node("rock", rocks[kind], onGround(p) - glm::vec3(0, 0.22f * scale, 0), random.range(0, 6), scale);
+  };
+  put({-4.6f, -1.2f}, 1.05f, 0), put({-5.7f, 0.1f}, 0.6f, 1), put({5.6f, -0.4f}, 0.8f, 2), put({6.4f, -1.5f}, 0.45f, 0),
+      put({-0.5f, -8.4f}, 1.5f, 1);
   for (int i = 0; i < 22; ++i) {  // along the creek
     const float x = random.range(-16.0f, 16.0f);
     if (glm::abs(x - kBridgeX) < 1.6f) continue;
-    put({x, creekZ(x) + (random.below(2) == 0 ? -1.0f : 1.0f) * random.range(0.3f, 1.9f)}, random.range(0.16f, 0.5f), random.below(3));
+    put({x, creekZ(x) + (random.below(2) == 0 ? -1.0f : 1.0f) * random.range(0.3f, 1.9f)}, random.range(0.16f, 0.5f),
+        random.below(3));
   }
 }
 
 void addFallenTrunk(LevelBuilder& level, const Materials& m) {
   MeshBuilder wood;
   Random random(70);
-  tube(wood, {{-3.4f, 0.0f, 0}, {-2.2f, 0.03f, 0.05f}, {-0.5f, 0.05f, 0.1f}, {1.4f, 0.0f, 0.0f}, {3.4f, -0.08f, -0.16f}}, {0.46f, 0.40f, 0.37f, 0.33f, 0.27f}, 14, true);
+  tube(wood,
+       {{-3.4f, 0.0f, 0}, {-2.2f, 0.03f, 0.05f}, {-0.5f, 0.05f, 0.1f}, {1.4f, 0.0f, 0.0f}, {3.4f, -0.08f, -0.16f}},
+       {0.46f, 0.40f, 0.37f, 0.33f, 0.27f}, 14, true);
   for (int i = 0; i < 5; ++i) {  // stubs of branches
     const float x = -1.6f + 1.05f * real(i);
-    const glm::vec3 out = glm::normalize(glm::vec3(random.range(0.1f, 0.6f), random.range(0.4f, 1.0f), random.range(-0.9f, 0.9f)));
-    tube(wood, {glm::vec3(x, 0.1f, 0) + 0.15f * out, glm::vec3(x, 0.1f, 0) + random.range(0.5f, 1.1f) * out}, {0.085f, 0.03f}, 6, true);
+    const glm::vec3 out =
+        glm::normalize(glm::vec3(random.range(0.1f, 0.6f), random.range(0.4f, 1.0f), random.range(-0.9f, 0.9f)));
+    tube(wood, {glm::vec3(x, 0.1f, 0) + 0.15f * out, glm::vec3(x, 0.1f, 0) + random.range(0.5f, 1.1f) * out},
+         {0.085f, 0.03f}, 6, true);
   }
   scene::Primitive primitive = wood.finish(m.bark, kBarkTile);
-  for (scene::Vertex& v : primitive.vertices) v.color = glm::vec4(glm::mix(glm::vec3(1), glm::vec3(0.75f, 1.15f, 0.5f), glm::clamp(v.normal.y, 0.0f, 1.0f)), 1);  // moss above
-  level.node("fallen trunk", level.mesh("fallen trunk", {primitive}), onGround({-2.6f, -4.2f}) + glm::vec3(0, 0.26f, 0), 0.42f);
+  for (scene::Vertex& v : primitive.vertices)
+    v.color = glm::vec4(glm::mix(glm::vec3(1), glm::vec3(0.75f, 1.15f, 0.5f), glm::clamp(v.normal.y, 0.0f, 1.0f)),
+                        1);  // moss above
+  level.node("fallen trunk", level.mesh("fallen trunk", {primitive}), onGround({-2.6f, -4.2f}) + glm::vec3(0, 0.26f, 0),
+             0.42f);
 }
 
 void addBridge(LevelBuilder& level, const Materials& m) {
@@ -99,7 +115,8 @@ void addBridge(LevelBuilder& level, const Materials& m) {
   Random random(80);
   const float middle = creekZ(kBridgeX), half = 2.9f;
   const auto deckY = [&](float z) { return 0.42f - 0.4f * (z / half) * (z / half); };  // a shallow arch
-  const auto piece = [&](const glm::vec3& from, const glm::vec3& to, float width, float height, const glm::vec3& up = {0, 1, 0}) {
+  const auto piece = [&](const glm::vec3& from, const glm::vec3& to, float width, float height,
+                         const glm::vec3& up = {0, 1, 0}) {
     wood.uvOffset = {random.unit() * 2, random.unit() * 2};
     wood.color = glm::vec4(glm::vec3(random.range(0.75f, 1.1f)), 1);
     beam(wood, from, to, width, height, 0.012f, up);
@@ -140,7 +157,8 @@ void addBough(LevelBuilder& level, const Materials& m) {
   tube(wood, path, {0.09f, 0.065f, 0.04f, 0.012f}, 6);
   for (int i = 0; i < 46; ++i) {
     const float x = random.range(1.0f, 3.9f);
-    const glm::vec3 at{x, 0.2f, random.range(-0.5f, 0.5f) * (x - 0.6f) * 0.4f}, out = glm::normalize(glm::vec3(0.6f, -0.2f, at.z) + 0.8f * random.direction());
+    const glm::vec3 at{x, 0.2f, random.range(-0.5f, 0.5f) * (x - 0.6f) * 0.4f},
+        out = glm::normalize(glm::vec3(0.6f, -0.2f, at.z) + 0.8f * random.direction());
     const glm::vec3 right = glm::normalize(glm::cross(out, random.direction()));
     const float size = random.range(0.6f, 0.85f);
     leaves.color = glm::vec4(glm::vec3(random.range(0.8f, 1.1f)), 1);
@@ -149,7 +167,8 @@ void addBough(LevelBuilder& level, const Materials& m) {
   const std::int32_t mesh = level.mesh("bough", {wood.finish(m.bark, kBarkTile), leaves.finish(m.leaves)});
   // From the birch east of the clearing, out into the light.
   const glm::vec2 tree{9.5f, -3.0f};
-  const std::int32_t root = level.node("bough's root", scene::kNone, {tree.x, groundY(tree.x, tree.y) + 4.6f, tree.y}, glm::pi<float>() + 0.25f);
+  const std::int32_t root = level.node("bough's root", scene::kNone, {tree.x, groundY(tree.x, tree.y) + 4.6f, tree.y},
+                                       glm::pi<float>() + 0.25f);
   const std::int32_t node = level.node("bough", mesh, {0, 0, 0}, 0, 1, root);
   level.animateSwing(node, glm::normalize(glm::vec3(0.2f, 0.25f, 1.0f)), 0.05f, 0.09f, 4.0f, 6);
 }

@@ -62,12 +62,14 @@ void addCameras(LevelBuilder& level) {
   level.camera("1 towards the windows", {-3.2f, 1.5f, 2.4f}, {7.0f, 5.9f, -3.6f}, 68, kFar);
   level.camera("2 from the gallery", {-2.6f, 5.9f, 17.2f}, {1.4f, 2.9f, 2.0f}, 60, kFar);
   const std::int32_t tour = level.camera("3 tour", {0, 2, 10}, {0, 3, 0}, 60, kFar);
-  level.animateTour(tour, {{{0.0f, 1.8f, 12.0f}, {0.5f, 3.2f, -8.0f}},
-                           {{-1.0f, 2.2f, 5.0f}, {5.0f, 4.5f, -6.0f}},
-                           {{0.0f, 2.6f, -4.0f}, {6.0f, 5.0f, -9.0f}},
-                           {{1.0f, 3.0f, -12.5f}, {-4.0f, 3.0f, -3.0f}},
-                           {{-5.4f, 2.2f, -6.0f}, {2.0f, 3.4f, 4.0f}},
-                           {{-5.2f, 2.0f, 6.0f}, {3.0f, 3.4f, 0.0f}}}, 24.0f);
+  level.animateTour(tour,
+                    {{{0.0f, 1.8f, 12.0f}, {0.5f, 3.2f, -8.0f}},
+                     {{-1.0f, 2.2f, 5.0f}, {5.0f, 4.5f, -6.0f}},
+                     {{0.0f, 2.6f, -4.0f}, {6.0f, 5.0f, -9.0f}},
+                     {{-0.4f, 3.0f, -11.0f}, {-4.0f, 3.0f, -3.0f}},
+                     {{-5.0f, 2.2f, -6.2f}, {2.0f, 3.4f, 4.0f}},
+                     {{-5.2f, 2.0f, 5.6f}, {3.0f, 3.4f, 0.0f}}},
+                    24.0f);
 }
 
 }  // namespace
@@ -75,7 +77,8 @@ void addCameras(LevelBuilder& level) {
 scene::Scene makeHall() {
   LevelBuilder level("hall");
   const float elevation = glm::radians(kSunElevation), slant = glm::radians(kSunSlant);
-  const glm::vec3 toSun{glm::cos(elevation) * glm::cos(slant), glm::sin(elevation), -glm::cos(elevation) * glm::sin(slant)};
+  const glm::vec3 toSun{glm::cos(elevation) * glm::cos(slant), glm::sin(elevation),
+                        -glm::cos(elevation) * glm::sin(slant)};
   level.sun(toSun, {1.0f, 0.86f, 0.66f}, 10.0f);
   addCameras(level);
   Materials m = addMaterials(level);

@@ -21,7 +21,8 @@ std::int32_t tableMesh(LevelBuilder& level, const Materials& m) {
   for (const float z : {-1.6f, 1.6f}) {
     chamferBox(wood, {-0.40f, 0.62f, z - 0.06f}, {0.40f, 0.71f, z + 0.06f}, 0.015f);
     chamferBox(wood, {-0.38f, -0.02f, z - 0.06f}, {0.38f, 0.08f, z + 0.06f}, 0.015f);
-    for (const float x : {-0.24f, 0.24f}) chamferBox(wood, {x - 0.05f, 0.05f, z - 0.05f}, {x + 0.05f, 0.65f, z + 0.05f}, 0.015f);
+    for (const float x : {-0.24f, 0.24f})
+      chamferBox(wood, {x - 0.05f, 0.05f, z - 0.05f}, {x + 0.05f, 0.65f, z + 0.05f}, 0.015f);
   }
   beam(wood, {0, 0.3f, -1.7f}, {0, 0.3f, 1.7f}, 0.06f, 0.14f, 0.01f);
   Random random(17);
@@ -29,9 +30,22 @@ std::int32_t tableMesh(LevelBuilder& level, const Materials& m) {
     const glm::vec3 at{random.range(-0.36f, 0.36f), 0.77f, -1.7f + 0.68f * real(i)};
     metal.frame = placed(at);
     if (i % 3 == 1) {
-      lathe(metal, {{0.05f, 0}, {0.13f, 0.05f}, {0.16f, 0.09f}, {0.16f, 0.09f}, {0.15f, 0.09f}, {0.1f, 0.04f}, {0.01f, 0.03f}}, 14);
+      lathe(metal,
+            {{0.05f, 0}, {0.13f, 0.05f}, {0.16f, 0.09f}, {0.16f, 0.09f}, {0.15f, 0.09f}, {0.1f, 0.04f}, {0.01f, 0.03f}},
+            14);
     } else {
-      lathe(metal, {{0.045f, 0}, {0.04f, 0.012f}, {0.012f, 0.03f}, {0.012f, 0.08f}, {0.04f, 0.11f}, {0.045f, 0.19f}, {0.045f, 0.19f}, {0.04f, 0.19f}, {0.03f, 0.12f}, {0.005f, 0.11f}}, 12);
+      lathe(metal,
+            {{0.045f, 0},
+             {0.04f, 0.012f},
+             {0.012f, 0.03f},
+             {0.012f, 0.08f},
+             {0.04f, 0.11f},
+             {0.045f, 0.19f},
+             {0.045f, 0.19f},
+             {0.04f, 0.19f},
+             {0.03f, 0.12f},
+             {0.005f, 0.11f}},
+            12);
     }
   }
   return level.mesh("table", {wood.finish(m.timber, kWoodTile), metal.finish(m.gold)});
@@ -63,10 +77,33 @@ std::int32_t crateMesh(LevelBuilder& level, const Materials& m) {
 
 std::int32_t barrelMesh(LevelBuilder& level, const Materials& m) {
   MeshBuilder staves, iron;
-  lathe(staves, {{0.05f, 0.03f}, {0.29f, 0.03f}, {0.29f, 0.03f}, {0.30f, 0}, {0.30f, 0}, {0.345f, 0.2f}, {0.37f, 0.46f}, {0.345f, 0.72f}, {0.30f, 0.92f}, {0.30f, 0.92f},
-                 {0.28f, 0.92f}, {0.28f, 0.92f}, {0.28f, 0.89f}, {0.28f, 0.89f}, {0.01f, 0.89f}}, 20);
-  for (const auto& [y, r] : {std::pair{0.08f, 0.322f}, std::pair{0.26f, 0.358f}, std::pair{0.63f, 0.362f}, std::pair{0.81f, 0.328f}}) {
-    lathe(iron, {{r - 0.012f, y}, {r + 0.004f, y}, {r + 0.004f, y}, {r + 0.004f, y + 0.045f}, {r + 0.004f, y + 0.045f}, {r - 0.012f, y + 0.045f}}, 20);
+  lathe(staves,
+        {{0.05f, 0.03f},
+         {0.29f, 0.03f},
+         {0.29f, 0.03f},
+         {0.30f, 0},
+         {0.30f, 0},
+         {0.345f, 0.2f},
+         {0.37f, 0.46f},
+         {0.345f, 0.72f},
+         {0.30f, 0.92f},
+         {0.30f, 0.92f},
+         {0.28f, 0.92f},
+         {0.28f, 0.92f},
+         {0.28f, 0.89f},
+         {0.28f, 0.89f},
+         {0.01f, 0.89f}},
+        20);
+  for (const auto& [y, r] :
+       {std::pair{0.08f, 0.322f}, std::pair{0.26f, 0.358f}, std::pair{0.63f, 0.362f}, std::pair{0.81f, 0.328f}}) {
+    lathe(iron,
+          {{r - 0.012f, y},
+           {r + 0.004f, y},
+           {r + 0.004f, y},
+           {r + 0.004f, y + 0.045f},
+           {r + 0.004f, y + 0.045f},
+           {r - 0.012f, y + 0.045f}},
+          20);
   }
   return level.mesh("barrel", {staves.finish(m.timber, 0.5f * kWoodTile), iron.finish(m.iron)});
 }
@@ -84,7 +121,8 @@ std::int32_t throneMesh(LevelBuilder& level, const Materials& m) {
   chamferBox(wood, {-0.4f, 0.5f, -0.40f}, {0.4f, 1.85f, -0.32f}, 0.02f);
   chamferBox(cloth, {-0.30f, 0.49f, -0.28f}, {0.30f, 0.57f, 0.3f}, 0.03f);
   chamferBox(cloth, {-0.28f, 0.7f, -0.34f}, {0.28f, 1.6f, -0.29f}, 0.02f);
-  return level.mesh("throne", {wood.finish(m.darkTimber, kWoodTile), metal.finish(m.gold), cloth.finish(m.runner, kRunnerTile)});
+  return level.mesh("throne",
+                    {wood.finish(m.darkTimber, kWoodTile), metal.finish(m.gold), cloth.finish(m.runner, kRunnerTile)});
 }
 
 }  // namespace
@@ -96,15 +134,20 @@ void addFurniture(LevelBuilder& level, const Materials& m) {
     for (const float z : {-10.2f, -4.6f, 1.0f}) {
       const float x = side * 2.35f;
       level.node("table", table, {x, 0, z}, side < 0 ? 0 : glm::pi<float>());
-      for (const float to : {-0.74f, 0.74f}) level.node("bench", bench, {x + to + random.range(-0.05f, 0.05f), 0, z}, random.range(-0.03f, 0.03f));
+      for (const float to : {-0.74f, 0.74f})
+        level.node("bench", bench, {x + to + random.range(-0.05f, 0.05f), 0, z}, random.range(-0.03f, 0.03f));
     }
   }
   const std::int32_t crate = crateMesh(level, m), barrel = barrelMesh(level, m);
-  for (const auto& [at, yaw, scale] : {std::tuple{glm::vec3(5.9f, 0, 9.2f), 0.2f, 1.0f}, {glm::vec3(5.7f, 0, 10.5f), -0.35f, 1.1f}, {glm::vec3(5.85f, 0.9f, 9.3f), 0.7f, 0.8f},
-                                       {glm::vec3(-5.9f, 0, -10.6f), 0.1f, 1.0f}, {glm::vec3(-4.6f, 0, 17.4f), 0.4f, 1.15f}}) {
+  for (const auto& [at, yaw, scale] : {std::tuple{glm::vec3(5.9f, 0, 9.2f), 0.2f, 1.0f},
+                                       {glm::vec3(5.7f, 0, 10.5f), -0.35f, 1.1f},
+                                       {glm::vec3(5.85f, 0.9f, 9.3f), 0.7f, 0.8f},
+                                       {glm::vec3(-5.9f, 0, -10.6f), 0.1f, 1.0f},
+                                       {glm::vec3(-4.6f, 0, 17.4f), 0.4f, 1.15f}}) {
     level.node("crate", crate, at, yaw, scale);
   }
-  for (const glm::vec2 at : {glm::vec2(6.1f, 7.9f), {5.2f, 8.0f}, {-6.1f, -9.2f}, {-5.4f, -8.9f}, {-6.0f, -7.9f}, {-3.9f, 18.6f}}) {
+  for (const glm::vec2 at :
+       {glm::vec2(6.1f, 7.9f), {5.2f, 8.0f}, {-6.1f, -9.2f}, {-5.4f, -8.9f}, {-6.0f, -7.9f}, {-3.9f, 18.6f}}) {
     level.node("barrel", barrel, {at.x, 0, at.y}, random.range(0, 6));
   }
   level.node("throne", throneMesh(level, m), {0, 0.51f, -18.9f}, 0, 1.15f);
@@ -133,7 +176,8 @@ void addDoor(LevelBuilder& level, const Materials& m) {
   chamferBox(iron, {1.85f, 1.1f, -0.1f}, {1.93f, 1.3f, 0.1f}, 0.01f);
   const std::int32_t mesh = level.mesh("door leaf", {wood.finish(m.planks, kWoodTile), iron.finish(m.iron)});
   // In the north wall (frame turned by 90 degrees: its x runs to -z), hinge at the +z side.
-  const std::int32_t frame = level.node("door frame", scene::kNone, {-kHalfWidth - 0.2f, 0, bayZ(kDoorBay) + kDoorHalf}, glm::half_pi<float>());
+  const std::int32_t frame = level.node("door frame", scene::kNone, {-kHalfWidth - 0.2f, 0, bayZ(kDoorBay) + kDoorHalf},
+                                        glm::half_pi<float>());
   const std::int32_t leaf = level.node("door leaf", mesh, {0, 0, 0}, 0, 1, frame);
   level.animateSwing(leaf, {0, 1, 0}, -0.55f, 0.4f, 12.0f, 2);
 }

@@ -10,7 +10,8 @@ namespace tyndall::levels::hall {
 
 /// Indices of the materials.
 struct Materials {
-  std::int32_t ashlar, flags, dressed, planks, timber, darkTimber, runner, bannerSun, bannerCross, glass, iron, gold, wax, flame, lamp, earth;
+  std::int32_t ashlar, flags, dressed, planks, timber, darkTimber, runner, bannerSun, bannerCross, glass, iron, gold,
+      wax, flame, lamp, earth;
 };
 
 constexpr int kWindows = kBays;

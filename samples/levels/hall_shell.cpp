@@ -32,7 +32,8 @@ glm::mat4 headEnd() { return standing({0, 0, -kHalfLength}, 0); }
 glm::mat4 footEnd() { return standing({0, 0, kHalfLength}, 2.0f * kQuarter); }
 
 void addWalls(MeshBuilder& face, MeshBuilder& reveal) {
-  const WallShape side{.halfWidth = 0.5f * kBay, .bottom = kBottom, .topMiddle = kWallTop, .topEnds = kWallTop, .thickness = kThickness};
+  const WallShape side{
+      .halfWidth = 0.5f * kBay, .bottom = kBottom, .topMiddle = kWallTop, .topEnds = kWallTop, .thickness = kThickness};
   for (int bay = 0; bay < kBays; ++bay) {
     // Shift the courses by the bay's place: the stones run on from panel to panel.
     face.uvOffset = {real(bay) * kBay, 0};
@@ -45,7 +46,11 @@ void addWalls(MeshBuilder& face, MeshBuilder& reveal) {
   face.uvOffset = {0, 0};
   // The end walls reach over the long walls' ends and up into the roof.
   const float half = kHalfWidth + kThickness;
-  const WallShape end{.halfWidth = half, .bottom = kBottom, .topMiddle = kRidge + 0.15f, .topEnds = roofY(half) + 0.15f, .thickness = kThickness};
+  const WallShape end{.halfWidth = half,
+                      .bottom = kBottom,
+                      .topMiddle = kRidge + 0.15f,
+                      .topEnds = roofY(half) + 0.15f,
+                      .thickness = kThickness};
   face.frame = reveal.frame = headEnd();
   wall(face, reveal, end, roseOutline(true), roseOutline(false));
   face.frame = footEnd();
@@ -54,7 +59,8 @@ void addWalls(MeshBuilder& face, MeshBuilder& reveal) {
   // The corners from outside: the end walls' open sides.
   for (const float z : {-1.0f, 1.0f}) {
     for (const float x : {-1.0f, 1.0f}) {
-      const glm::vec3 a{x * kHalfWidth, kBottom, z * kHalfLength}, c{x * (half + 0.05f), kWallTop, z * (kHalfLength + kThickness + 0.05f)};
+      const glm::vec3 a{x * kHalfWidth, kBottom, z * kHalfLength},
+          c{x * (half + 0.05f), kWallTop, z * (kHalfLength + kThickness + 0.05f)};
       chamferBox(face, glm::min(a, c), glm::max(a, c), 0.0f, Mapping::kUpright);
     }
   }
@@ -74,7 +80,8 @@ void addRoof(MeshBuilder& boards) {
 }  // namespace
 
 Outline windowOutline(bool inner) {
-  return inner ? pointedArch(kWindowHalf + 0.18f, kSill - 0.25f, kSpring, 10) : pointedArch(kWindowHalf, kSill, kSpring, 10);
+  return inner ? pointedArch(kWindowHalf + 0.18f, kSill - 0.25f, kSpring, 10)
+               : pointedArch(kWindowHalf, kSill, kSpring, 10);
 }
 Outline roseOutline(bool inner) { return circle(kRoseRadius + (inner ? 0.15f : 0.0f), kRoseY, 12); }
 Outline doorOutline(bool inner) { return pointedArch(kDoorHalf + (inner ? 0.15f : 0.0f), 0.03f, kDoorSpring, 8); }
@@ -96,7 +103,8 @@ void addShell(LevelBuilder& level, const Materials& m) {
   // Some ground outside, so that the windows and the door look onto something; small, because a shadow map that is
   // fitted to the level would waste texels on it.
   chamferBox(earth, {-x - 7, -0.7f, -z - 6}, {x + 7, -0.25f, z + 6}, 0.0f, Mapping::kUpright);
-  level.single("shell", {face.finish(m.ashlar, kAshlarTile), reveal.finish(m.dressed, kPillarTile), boards.finish(m.planks, kWoodTile)});
+  level.single("shell", {face.finish(m.ashlar, kAshlarTile), reveal.finish(m.dressed, kPillarTile),
+                         boards.finish(m.planks, kWoodTile)});
   level.single("floor", {floor.finish(m.flags, kFloorTile)});
   level.single("ground outside", {earth.finish(m.earth, 4.0f)});
 }

@@ -64,12 +64,15 @@ std::int32_t roseMesh(LevelBuilder& level, const Materials& m) {
 std::int32_t pillarMesh(LevelBuilder& level, const Materials& m) {
   MeshBuilder stone;
   chamferBox(stone, {-0.56f, -0.1f, -0.56f}, {0.56f, 0.26f, 0.56f}, 0.03f, Mapping::kUpright);
-  const std::vector<glm::vec2> base{{0.55f, 0.26f}, {0.57f, 0.31f}, {0.56f, 0.36f}, {0.53f, 0.39f}, {0.48f, 0.40f}, {0.48f, 0.40f},
-                                    {0.465f, 0.43f}, {0.47f, 0.47f}, {0.49f, 0.49f}, {0.49f, 0.52f}, {0.46f, 0.55f}, {0.41f, 0.55f}, {0.41f, 0.55f}};
+  const std::vector<glm::vec2> base{{0.55f, 0.26f}, {0.57f, 0.31f},  {0.56f, 0.36f}, {0.53f, 0.39f}, {0.48f, 0.40f},
+                                    {0.48f, 0.40f}, {0.465f, 0.43f}, {0.47f, 0.47f}, {0.49f, 0.49f}, {0.49f, 0.52f},
+                                    {0.46f, 0.55f}, {0.41f, 0.55f},  {0.41f, 0.55f}};
   std::vector<glm::vec2> profile = base;
   profile.insert(profile.end(), {{0.41f, 2.0f}, {0.40f, 3.8f}, {0.375f, 5.72f}, {0.375f, 5.72f}});
   profile.insert(profile.end(), {{0.42f, 5.74f}, {0.435f, 5.78f}, {0.42f, 5.82f}, {0.375f, 5.84f}, {0.375f, 5.84f}});
-  profile.insert(profile.end(), {{0.38f, 6.02f}, {0.41f, 6.2f}, {0.48f, 6.36f}, {0.57f, 6.46f}, {0.57f, 6.46f}, {0.60f, 6.47f}, {0.60f, 6.52f}});
+  profile.insert(
+      profile.end(),
+      {{0.38f, 6.02f}, {0.41f, 6.2f}, {0.48f, 6.36f}, {0.57f, 6.46f}, {0.57f, 6.46f}, {0.60f, 6.47f}, {0.60f, 6.52f}});
   lathe(stone, profile, 24);
   chamferBox(stone, {-0.64f, 6.5f, -0.64f}, {0.64f, 6.72f, 0.64f}, 0.04f, Mapping::kUpright);
   return level.mesh("pillar", {stone.finish(m.dressed, kPillarTile)});
@@ -108,7 +111,8 @@ void addDais(LevelBuilder& level, const Materials& m) {
   MeshBuilder stone;
   for (int step = 0; step < 3; ++step) {
     const float grow = 0.42f * real(2 - step), top = 0.17f * real(step + 1);
-    chamferBox(stone, {-2.8f - grow, -0.05f, -kHalfLength - 0.1f}, {2.8f + grow, top, -16.9f + grow}, 0.025f, Mapping::kUpright);
+    chamferBox(stone, {-2.8f - grow, -0.05f, -kHalfLength - 0.1f}, {2.8f + grow, top, -16.9f + grow}, 0.025f,
+               Mapping::kUpright);
   }
   level.single("dais", {stone.finish(m.dressed, kPillarTile)});
 }
@@ -117,7 +121,8 @@ void addDais(LevelBuilder& level, const Materials& m) {
 
 void addTracery(LevelBuilder& level, const Materials& m) {
   const std::int32_t bars = windowMesh(level, m);
-  for (int bay = 0; bay < kWindows; ++bay) level.node("window bars", bars, {kHalfWidth, 0, bayZ(bay)}, -glm::half_pi<float>());
+  for (int bay = 0; bay < kWindows; ++bay)
+    level.node("window bars", bars, {kHalfWidth, 0, bayZ(bay)}, -glm::half_pi<float>());
   level.node("rose bars", roseMesh(level, m), {0, kRoseY, -kHalfLength - 0.3f});
   // One window has glass: a pane that is blended, and so neither casts a shadow nor ends a view ray.
   MeshBuilder pane;

@@ -25,7 +25,8 @@ std::int32_t trussMesh(LevelBuilder& level, const Materials& m) {
   const auto piece = [&](const glm::vec3& from, const glm::vec3& to, float width, float height) {
     wood.uvOffset = {random.unit() * 2, random.unit() * 2};
     wood.color = glm::vec4(glm::vec3(random.range(0.75f, 1.1f)), 1);
-    beam(wood, from, to, width, height, 0.03f, glm::abs(glm::normalize(to - from).y) > 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0));
+    beam(wood, from, to, width, height, 0.03f,
+         glm::abs(glm::normalize(to - from).y) > 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0));
   };
   piece({-kHalfWidth - 0.2f, kTieY, 0}, {kHalfWidth + 0.2f, kTieY, 0}, 0.34f, 0.42f);
   piece({0, kTieY, 0}, {0, kRidge - 0.1f, 0}, 0.28f, 0.28f);
@@ -33,10 +34,14 @@ std::int32_t trussMesh(LevelBuilder& level, const Materials& m) {
     piece({side * 7.2f, roofY(7.2f) - 0.14f, 0}, {0, kRidge - 0.14f, 0}, 0.3f, 0.32f);
     piece({side * kPillarX, 6.7f, 0}, {side * kPillarX, roofY(kPillarX) - 0.1f, 0}, 0.32f, 0.32f);
     piece({side * 0.1f, kTieY + 0.9f, 0}, {side * 2.2f, roofY(2.2f) - 0.25f, 0}, 0.2f, 0.2f);
-    bar(wood, bracePath({side * (kPillarX - 0.12f), 6.9f, 0}, {side * 1.5f, kTieY - 0.16f, 0}), {0, 0, 1}, 0.24f, 0.18f);
-    bar(wood, bracePath({side * (kPillarX + 0.12f), 6.9f, 0}, {side * 6.2f, kTieY - 0.16f, 0}), {0, 0, 1}, 0.22f, 0.18f);
+    bar(wood, bracePath({side * (kPillarX - 0.12f), 6.9f, 0}, {side * 1.5f, kTieY - 0.16f, 0}), {0, 0, 1}, 0.24f,
+        0.18f);
+    bar(wood, bracePath({side * (kPillarX + 0.12f), 6.9f, 0}, {side * 6.2f, kTieY - 0.16f, 0}), {0, 0, 1}, 0.22f,
+        0.18f);
     for (const float along : {-1.0f, 1.0f}) {
-      bar(wood, bracePath({side * kPillarX, 8.2f, along * 0.12f}, {side * kPillarX, roofY(kPillarX) - 0.32f, along * 1.7f}), {1, 0, 0}, 0.2f, 0.16f);
+      bar(wood,
+          bracePath({side * kPillarX, 8.2f, along * 0.12f}, {side * kPillarX, roofY(kPillarX) - 0.32f, along * 1.7f}),
+          {1, 0, 0}, 0.2f, 0.16f);
     }
   }
   return level.mesh("truss", {wood.finish(m.timber, kWoodTile)});
@@ -60,7 +65,8 @@ void addTimber(LevelBuilder& level, const Materials& m) {
     piece({x, roofY(x) - 0.16f, -end}, {x, roofY(x) - 0.16f, end}, size, size, 0.03f);
   }
   for (int i = -19; i <= 19; ++i) {  // a rafter a metre on both slopes
-    for (const float side : {-1.0f, 1.0f}) piece({side * 7.2f, roofY(7.2f) - 0.03f, real(i)}, {0, kRidge - 0.03f, real(i)}, 0.12f, 0.16f, 0);
+    for (const float side : {-1.0f, 1.0f})
+      piece({side * 7.2f, roofY(7.2f) - 0.03f, real(i)}, {0, kRidge - 0.03f, real(i)}, 0.12f, 0.16f, 0);
   }
   level.single("purlins and rafters", {wood.finish(m.darkTimber, kWoodTile)});
 }

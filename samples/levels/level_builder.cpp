@@ -65,7 +65,8 @@ std::int32_t LevelBuilder::mesh(const std::string& name, std::vector<scene::Prim
 
 std::int32_t LevelBuilder::node(scene::Node node) { return append(scene_.nodes, std::move(node)); }
 
-std::int32_t LevelBuilder::node(const std::string& name, std::int32_t mesh, const glm::vec3& at, float yaw, float scale, std::int32_t parent) {
+std::int32_t LevelBuilder::node(const std::string& name, std::int32_t mesh, const glm::vec3& at, float yaw, float scale,
+                                std::int32_t parent) {
   scene::Node n;
   n.name = name;
   n.mesh = mesh;
@@ -76,7 +77,9 @@ std::int32_t LevelBuilder::node(const std::string& name, std::int32_t mesh, cons
   return node(n);
 }
 
-void LevelBuilder::single(const std::string& name, std::vector<scene::Primitive> primitives) { node(name, mesh(name, std::move(primitives))); }
+void LevelBuilder::single(const std::string& name, std::vector<scene::Primitive> primitives) {
+  node(name, mesh(name, std::move(primitives)));
+}
 
 void LevelBuilder::sun(const glm::vec3& toSun, const glm::vec3& color, float lux) {
   scene::Light light;
@@ -90,7 +93,8 @@ void LevelBuilder::sun(const glm::vec3& toSun, const glm::vec3& color, float lux
   node(n);
 }
 
-std::int32_t LevelBuilder::camera(const std::string& name, const glm::vec3& eye, const glm::vec3& target, float verticalFov, float zfar) {
+std::int32_t LevelBuilder::camera(const std::string& name, const glm::vec3& eye, const glm::vec3& target,
+                                  float verticalFov, float zfar) {
   scene::Camera camera;
   camera.name = name;
   camera.yfov = glm::radians(verticalFov);
@@ -111,7 +115,8 @@ void LevelBuilder::animate(scene::AnimationChannel channel) {
   animation.channels.push_back(std::move(channel));
 }
 
-void LevelBuilder::animateSwing(std::int32_t node, const glm::vec3& axis, float middle, float amplitude, float period, int periods) {
+void LevelBuilder::animateSwing(std::int32_t node, const glm::vec3& axis, float middle, float amplitude, float period,
+                                int periods) {
   constexpr int kKeys = 16;  // per period: linear interpolation is within 2% of the amplitude
   scene::AnimationChannel channel;
   channel.node = node;
@@ -124,7 +129,8 @@ void LevelBuilder::animateSwing(std::int32_t node, const glm::vec3& axis, float 
   animate(std::move(channel));
 }
 
-void LevelBuilder::animateTour(std::int32_t camera, const std::vector<std::pair<glm::vec3, glm::vec3>>& stops, float seconds) {
+void LevelBuilder::animateTour(std::int32_t camera, const std::vector<std::pair<glm::vec3, glm::vec3>>& stops,
+                               float seconds) {
   constexpr int kKeys = 12;  // per stop
   std::vector<glm::vec3> eyes, targets;
   for (const auto& [eye, target] : stops) eyes.push_back(eye), targets.push_back(target);
@@ -143,7 +149,8 @@ void LevelBuilder::animateTour(std::int32_t camera, const std::vector<std::pair<
   }
   turn.times = move.times;
   scene_.nodes[camera].translation = eyes.front();
-  scene_.nodes[camera].rotation = glm::quat(turn.values.front().w, turn.values.front().x, turn.values.front().y, turn.values.front().z);
+  scene_.nodes[camera].rotation =
+      glm::quat(turn.values.front().w, turn.values.front().x, turn.values.front().y, turn.values.front().z);
   animate(std::move(move));
   animate(std::move(turn));
 }

@@ -30,7 +30,8 @@ class LevelBuilder {
   /// `toSun`: direction from the level to the sun.
   void sun(const glm::vec3& toSun, const glm::vec3& color, float lux);
   /// Degrees. Returns the node.
-  std::int32_t camera(const std::string& name, const glm::vec3& eye, const glm::vec3& target, float verticalFov, float zfar);
+  std::int32_t camera(const std::string& name, const glm::vec3& eye, const glm::vec3& target, float verticalFov,
+                      float zfar);
 
   /// One animation per level: channels are added to it, and it loops with its longest channel.
   void animate(scene::AnimationChannel channel);

@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
     std::cerr << folder.string() << ": cannot be created: " << error.message() << '\n';
     return 1;
   }
-  for (const auto& [name, make] : {std::pair{"hall.glb", &levels::makeHall}, std::pair{"forest.glb", &levels::makeForest}}) {
+  for (const auto& [name, make] :
+       {std::pair{"hall.glb", &levels::makeHall}, std::pair{"forest.glb", &levels::makeForest}}) {
     const auto written = scene::writeGlb(make(), folder / name);
     if (!written) {
       std::cerr << written.error().message << '\n';

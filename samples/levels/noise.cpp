@@ -12,7 +12,8 @@ int wrap(int i, int period) {
 
 float cellHash(int x, int y, std::uint32_t seed) {
   // Finalizer of MurmurHash3 (Appleby, public domain) over a linear mix of the inputs.
-  std::uint32_t h = static_cast<std::uint32_t>(x) * 0x9E3779B1u ^ static_cast<std::uint32_t>(y) * 0x85EBCA77u ^ seed * 0xC2B2AE3Du;
+  std::uint32_t h =
+      static_cast<std::uint32_t>(x) * 0x9E3779B1u ^ static_cast<std::uint32_t>(y) * 0x85EBCA77u ^ seed * 0xC2B2AE3Du;
   h = (h ^ (h >> 16)) * 0x85EBCA6Bu;
   h = (h ^ (h >> 13)) * 0xC2B2AE35u;
   return static_cast<float>((h ^ (h >> 16)) >> 8) * 0x1p-24f;

@@ -23,7 +23,8 @@ glm::vec2 boxUv(const glm::vec3& p, const glm::vec3& size, int axis, Mapping map
 void chamferBox(MeshBuilder& b, const glm::vec3& min, const glm::vec3& max, float chamfer, Mapping mapping) {
   const glm::vec3 size = max - min, centre = 0.5f * (min + max), half = 0.5f * size;
   const float smallest = glm::min(half.x, glm::min(half.y, half.z));
-  TY_ASSERT(smallest > chamfer && chamfer >= 0, "half side " + std::to_string(smallest) + ", chamfer " + std::to_string(chamfer));
+  TY_ASSERT(smallest > chamfer && chamfer >= 0,
+            "half side " + std::to_string(smallest) + ", chamfer " + std::to_string(chamfer));
   // Corner of the side `axis` next to the box corner `sign`: on that side, drawn in by the chamfer along the others.
   const auto corner = [&](int axis, const glm::vec3& sign) {
     glm::vec3 p = centre + sign * (half - chamfer);
@@ -31,7 +32,8 @@ void chamferBox(MeshBuilder& b, const glm::vec3& min, const glm::vec3& max, floa
     return p;
   };
   const auto add = [&](std::vector<glm::vec3> points, const glm::vec3& outward, int uvAxis) {
-    if (glm::dot(glm::cross(points[1] - points[0], points[2] - points[0]), outward) < 0) std::reverse(points.begin(), points.end());
+    if (glm::dot(glm::cross(points[1] - points[0], points[2] - points[0]), outward) < 0)
+      std::reverse(points.begin(), points.end());
     std::vector<glm::vec2> uv;
     for (const glm::vec3& p : points) uv.push_back(boxUv(p, size, uvAxis, mapping));
     b.flatPolygon(points, uv);
@@ -46,12 +48,15 @@ void chamferBox(MeshBuilder& b, const glm::vec3& min, const glm::vec3& max, floa
       };
       glm::vec3 outward{0};
       outward[axis] = side;
-      add({corner(axis, at(-1, -1)), corner(axis, at(1, -1)), corner(axis, at(1, 1)), corner(axis, at(-1, 1))}, outward, axis);
+      add({corner(axis, at(-1, -1)), corner(axis, at(1, -1)), corner(axis, at(1, 1)), corner(axis, at(-1, 1))}, outward,
+          axis);
       if (chamfer == 0) continue;
       for (const float other : {-1.0f, 1.0f}) {  // the edge between this side and the next axis' side
         glm::vec3 edge = outward;
         edge[i] = other;
-        add({corner(axis, at(other, -1)), corner(axis, at(other, 1)), corner(i, at(other, 1)), corner(i, at(other, -1))}, edge, axis);
+        add({corner(axis, at(other, -1)), corner(axis, at(other, 1)), corner(i, at(other, 1)),
+             corner(i, at(other, -1))},
+            edge, axis);
       }
     }
   }
@@ -62,7 +67,8 @@ void chamferBox(MeshBuilder& b, const glm::vec3& min, const glm::vec3& max, floa
   }
 }
 
-void beam(MeshBuilder& b, const glm::vec3& from, const glm::vec3& to, float width, float height, float chamfer, const glm::vec3& up) {
+void beam(MeshBuilder& b, const glm::vec3& from, const glm::vec3& to, float width, float height, float chamfer,
+          const glm::vec3& up) {
   const glm::vec3 along = to - from;
   const glm::mat4 before = b.frame;
   b.frame = before * glm::translate(glm::mat4(1), 0.5f * (from + to)) * glm::mat4_cast(lookRotation(along, up));
@@ -71,7 +77,8 @@ void beam(MeshBuilder& b, const glm::vec3& from, const glm::vec3& to, float widt
   b.frame = before;
 }
 
-void bar(MeshBuilder& b, const std::vector<glm::vec3>& path, const glm::vec3& planeNormal, float width, float depth, bool closed) {
+void bar(MeshBuilder& b, const std::vector<glm::vec3>& path, const glm::vec3& planeNormal, float width, float depth,
+         bool closed) {
   const auto count = static_cast<int>(path.size());
   TY_ASSERT(count >= 2, std::to_string(count) + " points");
   const glm::vec3 n = glm::normalize(planeNormal);
@@ -98,7 +105,8 @@ void bar(MeshBuilder& b, const std::vector<glm::vec3>& path, const glm::vec3& pl
     for (int side = 0; side < 4; ++side) {
       const int other = (side + 1) % 4;
       const float v = side % 2 == 0 ? width : depth;
-      b.flatQuad({ring[0][side], ring[0][other], ring[1][other], ring[1][side]}, {{run, 0}, {run, v}, {run + length, v}, {run + length, 0}});
+      b.flatQuad({ring[0][side], ring[0][other], ring[1][other], ring[1][side]},
+                 {{run, 0}, {run, v}, {run + length, v}, {run + length, 0}});
     }
     const std::vector<glm::vec2> capUv{{0, 0}, {width, 0}, {width, depth}, {0, depth}};
     if (!closed && i == 0) b.flatPolygon({ring[0][3], ring[0][2], ring[0][1], ring[0][0]}, capUv);
@@ -111,14 +119,17 @@ void card(MeshBuilder& b, const glm::vec3& base, const glm::vec3& right, const g
           const glm::vec2& uvMin, const glm::vec2& uvMax) {
   const bool turned = glm::dot(glm::cross(right, up), normal) < 0;
   const glm::vec3 r = turned ? -right : right;
-  const std::uint32_t a = b.vertex(base - 0.5f * r, normal, {uvMin.x, uvMax.y}), c = b.vertex(base + 0.5f * r, normal, {uvMax.x, uvMax.y});
-  const std::uint32_t d = b.vertex(base + 0.5f * r + up, normal, {uvMax.x, uvMin.y}), e = b.vertex(base - 0.5f * r + up, normal, {uvMin.x, uvMin.y});
+  const std::uint32_t a = b.vertex(base - 0.5f * r, normal, {uvMin.x, uvMax.y}),
+                      c = b.vertex(base + 0.5f * r, normal, {uvMax.x, uvMax.y});
+  const std::uint32_t d = b.vertex(base + 0.5f * r + up, normal, {uvMax.x, uvMin.y}),
+                      e = b.vertex(base - 0.5f * r + up, normal, {uvMin.x, uvMin.y});
   b.quad(a, c, d, e);
 }
 
 glm::quat lookRotation(const glm::vec3& forward, const glm::vec3& up) {
   const glm::vec3 back = -glm::normalize(forward);
-  const glm::vec3 helper = glm::abs(glm::dot(back, glm::normalize(up))) < 0.999f ? up : glm::vec3(back.y, back.z, back.x);
+  const glm::vec3 helper =
+      glm::abs(glm::dot(back, glm::normalize(up))) < 0.999f ? up : glm::vec3(back.y, back.z, back.x);
   const glm::vec3 right = glm::normalize(glm::cross(helper, back));
   return glm::normalize(glm::quat_cast(glm::mat3(right, glm::cross(back, right), back)));
 }

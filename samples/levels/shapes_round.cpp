@@ -24,8 +24,8 @@ void latheRun(MeshBuilder& b, const std::vector<glm::vec2>& run, int sides, floa
       const float turn = real(side % sides) / real(sides), angle = turn * kTurn;
       const float c = glm::cos(angle), s = glm::sin(angle);
       const glm::vec3 normal{tangent.y * c, -tangent.x, -tangent.y * s};
-      index.push_back(b.vertex({run[row].x * c, run[row].y, -run[row].x * s}, normal,
-                               {real(side) / real(sides) * uMetres, v}));
+      index.push_back(
+          b.vertex({run[row].x * c, run[row].y, -run[row].x * s}, normal, {real(side) / real(sides) * uMetres, v}));
     }
   }
   for (int row = 0; row + 1 < rows; ++row) {
@@ -60,7 +60,8 @@ void tube(MeshBuilder& b, const std::vector<glm::vec3>& path, const std::vector<
     return glm::normalize(path[glm::min(i + 1, rings - 1)] - path[glm::max(i - 1, 0)]);
   };
   glm::vec3 tangent = tangentAt(0);
-  glm::vec3 side = glm::normalize(glm::cross(tangent, glm::abs(tangent.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
+  glm::vec3 side =
+      glm::normalize(glm::cross(tangent, glm::abs(tangent.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
   std::vector<std::uint32_t> index;
   std::vector<glm::vec3> sideAt;
   const float around = kTurn * radii[0];  // the first radius sets the width of the texture: bark does not shear
@@ -90,7 +91,8 @@ void tube(MeshBuilder& b, const std::vector<glm::vec3>& path, const std::vector<
     std::vector<std::uint32_t> rim;
     for (int k = 0; k < sides; ++k) {
       const float angle = real(k) / real(sides) * kTurn;
-      const glm::vec3 offset = (sideAt[end] * glm::cos(angle) + glm::cross(tangentAt(end), sideAt[end]) * glm::sin(angle)) * radii[end];
+      const glm::vec3 offset =
+          (sideAt[end] * glm::cos(angle) + glm::cross(tangentAt(end), sideAt[end]) * glm::sin(angle)) * radii[end];
       rim.push_back(b.vertex(path[end] + offset, normal, radii[end] * glm::vec2(glm::cos(angle), glm::sin(angle))));
     }
     for (int k = 0; k < sides; ++k) {

@@ -40,13 +40,15 @@ Outline circle(float radius, float centreY, int steps) {
   Outline outline;
   for (int i = -steps; i <= steps; ++i) {
     const float angle = glm::half_pi<float>() * real(i) / real(steps);
-    outline.emplace_back(radius * glm::sin(angle), centreY - radius * glm::cos(angle), centreY + radius * glm::cos(angle));
+    outline.emplace_back(radius * glm::sin(angle), centreY - radius * glm::cos(angle),
+                         centreY + radius * glm::cos(angle));
   }
   return outline;
 }
 
 void wall(MeshBuilder& face, MeshBuilder& reveal, const WallShape& shape, const Outline& inner, const Outline& outer) {
-  TY_ASSERT(inner.size() == outer.size(), std::to_string(inner.size()) + " and " + std::to_string(outer.size()) + " columns");
+  TY_ASSERT(inner.size() == outer.size(),
+            std::to_string(inner.size()) + " and " + std::to_string(outer.size()) + " columns");
   const float h = shape.halfWidth;
   const auto top = [&](float s) { return glm::mix(shape.topMiddle, shape.topEnds, glm::abs(s) / h); };
   for (const bool front : {true, false}) {
@@ -55,8 +57,22 @@ void wall(MeshBuilder& face, MeshBuilder& reveal, const WallShape& shape, const 
     const glm::vec3 first = hole.front(), last = hole.back();
     // Beside the hole: fans whose outer edge has no vertices between its ends, so that the next panel fits without
     // T-junctions.
-    facePolygon(face, {{-h, shape.bottom}, {first.x, shape.bottom}, {first.x, first.y}, {first.x, first.z}, {first.x, top(first.x)}, {-h, top(-h)}}, depth, front);
-    facePolygon(face, {{h, shape.bottom}, {h, top(h)}, {last.x, top(last.x)}, {last.x, last.z}, {last.x, last.y}, {last.x, shape.bottom}}, depth, front);
+    facePolygon(face,
+                {{-h, shape.bottom},
+                 {first.x, shape.bottom},
+                 {first.x, first.y},
+                 {first.x, first.z},
+                 {first.x, top(first.x)},
+                 {-h, top(-h)}},
+                depth, front);
+    facePolygon(face,
+                {{h, shape.bottom},
+                 {h, top(h)},
+                 {last.x, top(last.x)},
+                 {last.x, last.z},
+                 {last.x, last.y},
+                 {last.x, shape.bottom}},
+                depth, front);
     for (std::size_t i = 0; i + 1 < hole.size(); ++i) {
       const glm::vec3 a = hole[i], c = hole[i + 1];
       facePolygon(face, {{a.x, shape.bottom}, {c.x, shape.bottom}, {c.x, c.y}, {a.x, a.y}}, depth, front);
@@ -75,7 +91,8 @@ void wall(MeshBuilder& face, MeshBuilder& reveal, const WallShape& shape, const 
   for (std::size_t i = 0; i < in.size(); ++i) {
     const std::size_t next = (i + 1) % in.size();
     const float length = glm::length(in[next] - in[i]), t = shape.thickness;
-    reveal.flatQuad({{in[i], 0}, {in[next], 0}, {out[next], -t}, {out[i], -t}}, {{run, 0}, {run + length, 0}, {run + length, t}, {run, t}});
+    reveal.flatQuad({{in[i], 0}, {in[next], 0}, {out[next], -t}, {out[i], -t}},
+                    {{run, 0}, {run + length, 0}, {run + length, t}, {run, t}});
     run += length;
   }
 }
@@ -83,7 +100,9 @@ void wall(MeshBuilder& face, MeshBuilder& reveal, const WallShape& shape, const 
 void wall(MeshBuilder& face, const WallShape& shape) {
   const float h = shape.halfWidth;
   for (const bool front : {true, false}) {
-    facePolygon(face, {{-h, shape.bottom}, {h, shape.bottom}, {h, shape.topEnds}, {0, shape.topMiddle}, {-h, shape.topEnds}}, front ? 0.0f : shape.thickness, front);
+    facePolygon(face,
+                {{-h, shape.bottom}, {h, shape.bottom}, {h, shape.topEnds}, {0, shape.topMiddle}, {-h, shape.topEnds}},
+                front ? 0.0f : shape.thickness, front);
   }
 }
 

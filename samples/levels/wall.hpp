@@ -16,9 +16,9 @@ Outline pointedArch(float halfWidth, float sill, float spring, int steps);
 Outline circle(float radius, float centreY, int steps);
 
 struct WallShape {
-  float halfWidth = 1;                           ///< s from -halfWidth to halfWidth
+  float halfWidth = 1;  ///< s from -halfWidth to halfWidth
   float bottom = 0;
-  float topMiddle = 1, topEnds = 1;              ///< the top falls evenly from s = 0 to both ends
+  float topMiddle = 1, topEnds = 1;  ///< the top falls evenly from s = 0 to both ends
   float thickness = 0.6f;
 };
 

@@ -1,0 +1,90 @@
+// What the cameras see, and where the sun stands to them: the levels are there to try the epipole in every place.
+#include <gtest/gtest.h>
+
+#include "levels/levels.hpp"
+#include "triangles.hpp"
+
+namespace tyndall::levels {
+namespace {
+
+constexpr float kAspect = 16.0f / 9.0f;
+
+struct Views {
+  explicit Views(const scene::Scene& level) : scene(level) {
+    const std::vector<glm::mat4> world = scene::worldMatrices(scene, 0);
+    cameras = scene::placedCameras(scene, world);
+    const std::vector<scene::LightView> lights = scene::placedLights(scene, world);
+    toSun = -lights.at(0).direction;
+  }
+  glm::vec3 ray(int camera, float x, float y) const {  // x, y in [-1, 1]
+    const float reach = glm::tan(0.5f * cameras[camera].camera.yfov);
+    return glm::normalize(glm::mat3(cameras[camera].worldFromView) * glm::vec3(x * reach * kAspect, y * reach, -1));
+  }
+  glm::vec3 eye(int camera) const { return glm::vec3(cameras[camera].worldFromView[3]); }
+  /// The sun (`sign` +1) or the point opposite to it (-1): x, y as above, z > 0 when in front of the camera.
+  glm::vec3 onScreen(int camera, float sign) const {
+    const glm::vec3 v = glm::transpose(glm::mat3(cameras[camera].worldFromView)) * (sign * toSun);
+    const float reach = glm::tan(0.5f * cameras[camera].camera.yfov);
+    return {v.x / (-v.z * reach * kAspect), v.y / (-v.z * reach), -v.z};
+  }
+  static bool inside(const glm::vec3& p) { return p.z > 0 && glm::abs(p.x) < 1 && glm::abs(p.y) < 1; }
+
+  scene::Scene scene;
+  std::vector<scene::CameraView> cameras;
+  glm::vec3 toSun{0};
+};
+
+void expectCamerasSeeGeometry(const Views& views, float least) {
+  const std::vector<Triangle> triangles = trianglesOf(views.scene);
+  ASSERT_EQ(views.cameras.size(), 4u);
+  for (int camera = 0; camera < 4; ++camera) {
+    SCOPED_TRACE(views.cameras[camera].name);
+    ASSERT_TRUE(views.cameras[camera].camera.zfar);
+    int hits = 0, count = 0;
+    float farthest = 0;
+    for (float y = -0.9f; y < 1; y += 0.3f) {
+      for (float x = -0.95f; x < 1; x += 0.19f) {
+        ++count;
+        const std::optional<float> distance = nearest(triangles, views.eye(camera), views.ray(camera, x, y));
+        if (!distance) continue;
+        ++hits;
+        farthest = glm::max(farthest, *distance);
+        EXPECT_GT(*distance, 0.5f) << "something stands in the camera at " << x << ' ' << y;
+      }
+    }
+    EXPECT_GE(static_cast<float>(hits), least * static_cast<float>(count));
+    EXPECT_GT(farthest, 8.0f);
+    EXPECT_LT(farthest, *views.cameras[camera].camera.zfar);
+  }
+}
+
+TEST(Cameras, OfTheHallSeeGeometry) { expectCamerasSeeGeometry(Views(makeHall()), 0.85f); }
+TEST(Cameras, OfTheForestSeeGeometry) { expectCamerasSeeGeometry(Views(makeForest()), 0.6f); }
+
+TEST(Cameras, TryTheEpipoleEverywhere) {
+  const Views hall(makeHall()), forest(makeForest());
+  EXPECT_FALSE(Views::inside(hall.onScreen(0, 1)));
+  EXPECT_TRUE(Views::inside(hall.onScreen(1, 1)));
+  EXPECT_FALSE(Views::inside(forest.onScreen(0, 1)));
+  EXPECT_TRUE(Views::inside(forest.onScreen(1, 1)));
+  EXPECT_TRUE(Views::inside(forest.onScreen(2, -1)));
+  // The sun of the forest's camera 1 stands behind leaves.
+  const std::vector<Triangle> triangles = trianglesOf(forest.scene);
+  EXPECT_TRUE(blocked(triangles, forest.eye(1), forest.toSun));
+}
+
+TEST(Sun, IsTheOnlyLightAndPlausible) {
+  for (const scene::Scene& scene : {makeHall(), makeForest()}) {
+    ASSERT_EQ(scene.lights.size(), 1u);
+    EXPECT_EQ(scene.lights[0].kind, scene::LightKind::kDirectional);
+    EXPECT_FLOAT_EQ(scene.lights[0].intensity, 10.0f);
+    EXPECT_GE(scene.lights[0].color.r, scene.lights[0].color.g);  // warm
+    EXPECT_GT(scene.lights[0].color.g, scene.lights[0].color.b);
+    const float elevation = glm::degrees(glm::asin(Views(scene).toSun.y));
+    EXPECT_GT(elevation, 20.0f);
+    EXPECT_LT(elevation, 40.0f);
+  }
+}
+
+}  // namespace
+}  // namespace tyndall::levels
