@@ -1,0 +1,152 @@
+// Plugins run on the device: the template against the closed form, and every kind of pass against its arithmetic.
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "frame_fixture.hpp"
+
+namespace tyndall::host {
+namespace {
+
+using scene::LightKind;
+using testing::ElementsAre;
+using testing::Pair;
+
+const std::filesystem::path kTemplate = std::filesystem::path(TYNDALL_BIN_DIR) / "sample_plugins/fog_depth.so";
+const std::filesystem::path kPasses = std::filesystem::path(TYNDALL_TEST_PLUGINS) / "passes.so";
+
+struct Effect : FrameFixture {};
+
+TEST_F(Effect, theTemplateIsTheClosedForm) {
+  load(kTemplate);
+  addLight(LightKind::kDirectional, {1.0f, 0.5f, 0.25f}, 1000.0f, 1.0f);
+  ASSERT_TRUE(table_.setAssignment("fog_depth.sigma_t=0.07"));
+  const double sigma = 0.07, albedo = 0.8, n = 0.25, f = 80, tangent = std::tan(1.1 / 2);
+  for (const char* tile : {"8", "16"}) {
+    ASSERT_TRUE(table_.setText("fog_depth.tile", tile));
+    const Picture picture = frame();
+    ASSERT_FALSE(picture.empty);
+    double worst = 0;
+    for (std::uint32_t y = 0; y < kHeight; ++y)
+      for (std::uint32_t x = 0; x < kWidth; ++x) {
+        const double d = depths_[y * kWidth + x], z = n * f / (d * (f - n) + n);
+        const double rx = ((x + 0.5) / kWidth * 2 - 1) * tangent * kWidth / kHeight, ry = ((y + 0.5) / kHeight * 2 - 1) * tangent;
+        const double s = z * std::sqrt(1 + rx * rx + ry * ry), t = std::exp(-sigma * s);
+        const glm::vec4 got = picture.at(x, y);
+        const double light = 1000 * albedo * (1 - t) / (4 * std::numbers::pi);
+        worst = std::max({worst, std::abs(got.a - t), std::abs(got.r - light) / 1000, std::abs(got.g - light * 0.5) / 1000, std::abs(got.b - light * 0.25) / 1000});
+      }
+    EXPECT_LT(worst, 2e-6) << "tile " << tile;
+  }
+  EXPECT_TRUE(ran("fog"));
+  EXPECT_EQ(effect_->memoryBytes(), kWidth * kHeight * 16u);
+}
+
+TEST_F(Effect, nothingToDoIsAnEmptyRef) {
+  load(kTemplate);
+  EXPECT_TRUE(frame().empty) << "no light at all";
+  addLight(LightKind::kPoint, glm::vec3(1), 1, 1);
+  EXPECT_TRUE(frame().empty) << "no sun";
+  EXPECT_FALSE(effect_->failure());
+  EXPECT_EQ(effect_->debugImage("fog_transmittance").image, render::ImageRef{});
+}
+
+TEST_F(Effect, everyKindOfPass) {
+  load(kPasses);
+  addLight(LightKind::kDirectional, glm::vec3(2, 0, 0), 1.5f, 0.25f);
+  addLight(LightKind::kSpot, glm::vec3(1, 0, 0), 7.0f, 0.5f);
+  addLight(LightKind::kPoint, glm::vec3(4, 0, 0), 1.0f, 1.0f);
+  ASSERT_TRUE(table_.setAssignment("passes.weight=10"));
+  for (int count = 1; count <= 5; ++count) {
+    const Picture picture = frame();
+    ASSERT_FALSE(picture.empty);
+    for (std::uint32_t y = 0; y < kHeight; ++y)
+      for (std::uint32_t x = 0; x < kWidth; ++x) {
+        const auto frames = static_cast<float>(count);
+        ASSERT_EQ(picture.at(x, y), glm::vec4(frames + 30 + 70 + 40 + 1000 * (0.25f + 0.5f + 1.0f), frames, 0.25f + static_cast<float>(x) + 100.0f * static_cast<float>(y), 0.5f))
+            << x << ' ' << y << " frame " << count;
+      }
+    EXPECT_THAT(effect_->counters(), ElementsAre(Pair("groups run", 10), Pair("twice that", 20)));
+  }
+  for (const char* pass : {"arguments", "count", "history", "clear", "light [light 0]", "add [light 0]", "light [light 2]", "add [light 2]", "accumulate"})
+    EXPECT_TRUE(ran(pass)) << pass;
+  EXPECT_FALSE(ran("light [light 3]"));
+  for (const auto& time : times_) EXPECT_TRUE(time.owner == "passes" || time.name == "read back") << time.name;
+  // Two full-size RGBA32F images, one R32F, the output, 3 layers of 2 mips, three buffers.
+  const std::uint64_t texels = kWidth * kHeight;
+  EXPECT_EQ(effect_->memoryBytes(), texels * (16 + 16 + 4 + 16) + 3 * 4 * (4 * texels + texels) + 16 + 8 + 16);
+}
+
+TEST_F(Effect, valuesReachTheNextFrameWithoutANewLayout) {
+  load(kPasses);
+  addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);
+  EXPECT_EQ(frame().at(0, 0).r, 1 + 1);
+  ASSERT_TRUE(table_.setAssignment("passes.weight=5"));
+  EXPECT_EQ(frame().at(0, 0).r, 2 + 5) << "history went on: no new layout";
+  addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);
+  EXPECT_EQ(frame().at(0, 0).r, 1 + 10) << "another light: a new layout with history at zero";
+}
+
+TEST_F(Effect, debugViews) {
+  load(kPasses);
+  std::vector<std::string> names;
+  for (const auto& view : effect_->debugViews()) names.push_back(view.name);
+  EXPECT_THAT(names, ElementsAre("sum", "part", "map of light 7")) << "before any frame";
+  addLight(LightKind::kDirectional, glm::vec3(1), 3, 0);
+  gpu::Buffer sum;
+  frame(false, [&](render::Graph& graph) {
+    const auto image = effect_->debugImage("sum");
+    ASSERT_TRUE(image.image);
+    EXPECT_EQ(image.channel, 0u);
+    sum = copyOut(graph, image.image);
+    const auto part = effect_->debugImage("part");
+    EXPECT_EQ(part.view.baseMip, 1u);
+    EXPECT_EQ(part.view.baseLayer, 1u);
+    EXPECT_FALSE(part.view.array);
+    EXPECT_FALSE(effect_->debugImage("map of light 7").image) << "there is one light";
+    EXPECT_FALSE(effect_->debugImage("unknown").image);
+  });
+  EXPECT_EQ(reinterpret_cast<const float*>(sum.mapped())[0], 1 + 3);
+}
+
+TEST_F(Effect, tunesBySpeedAndRemembers) {
+  load(kPasses);
+  addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);
+  fakeTimes_ = [this](std::vector<render::PassTime>& times) {
+    for (auto& time : times)
+      if (time.name == "light [light 0]") time.milliseconds = effect_->resolved().at(0).second == "two" ? 1.0 : 2.0;
+  };
+  EXPECT_TRUE(effect_->resolved().empty());
+  frame();
+  EXPECT_THAT(effect_->resolved(), ElementsAre(Pair("passes.variant", "one")));
+  for (int i = 0; i < 4; ++i) frame();
+  EXPECT_THAT(effect_->resolved(), ElementsAre(Pair("passes.variant", "two")));
+  for (int i = 0; i < 8; ++i) frame();
+  EXPECT_THAT(effect_->resolved(), ElementsAre(Pair("passes.variant", "two")));
+  const float counted = frame().at(0, 0).g;
+  EXPECT_EQ(frame().at(0, 0).g, counted + 1) << "settled: the layout stays";
+  makeEffect();
+  frame();
+  EXPECT_THAT(effect_->resolved(), ElementsAre(Pair("passes.variant", "two"))) << "remembered on disk";
+  ASSERT_TRUE(table_.setAssignment("passes.variant=one"));
+  frame();
+  EXPECT_TRUE(effect_->resolved().empty()) << "asked for, not tuned";
+}
+
+TEST_F(Effect, reloadedPluginGoesOn) {
+  load(kPasses);
+  addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);
+  ASSERT_TRUE(table_.setAssignment("passes.weight=5"));
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(frame().at(3, 3).r, 1 + 5);
+    effect_.reset();
+    plugin_.reset();
+    table_.remove("passes");
+    load(kPasses);
+  }
+  EXPECT_EQ(frame().at(3, 3).r, 1 + 5) << "with its value";
+}
+
+}  // namespace
+}  // namespace tyndall::host

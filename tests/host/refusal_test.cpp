@@ -1,0 +1,75 @@
+// A plugin that goes wrong while it runs: one line, off, and back when its settings change.
+#include <gmock/gmock.h>
+
+#include "frame_fixture.hpp"
+
+namespace tyndall::host {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+struct Refusal : FrameFixture {
+  void SetUp() override {
+    FrameFixture::SetUp();
+    load(std::filesystem::path(TYNDALL_TEST_PLUGINS) / "passes.so");
+    addLight(scene::LightKind::kDirectional, glm::vec3(1), 1, 0);
+  }
+  /// Ten frames with passes.break = `how`; what went to stderr.
+  std::string logOf(const char* how) {
+    EXPECT_TRUE(table_.setText("passes.break", how));
+    testing::internal::CaptureStderr();
+    for (int i = 0; i < 10; ++i) EXPECT_TRUE(frame().empty) << how;
+    return testing::internal::GetCapturedStderr();
+  }
+};
+
+std::size_t lines(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+
+TEST_F(Refusal, isOneLineAndTheEffectIsOff) {
+  const std::pair<const char*, const char*> cases[] = {{"shader", "missing.comp"},
+                                                       {"binding", "declares binding 7 as a storage buffer, which the pass's table lacks"},
+                                                       {"pass", "groups[2] is 0"},
+                                                       {"huge", "image 'layers'"},
+                                                       {"casters", "draws shadow casters"}};
+  for (const auto& [how, says] : cases) {
+    const std::string log = logOf(how);
+    EXPECT_THAT(log, HasSubstr(says));
+    EXPECT_EQ(lines(log), 1u) << log;
+    ASSERT_TRUE(effect_->failure());
+    EXPECT_THAT(effect_->failure()->message, AllOf(StartsWith("plugin 'passes': "), HasSubstr(says), Not(HasSubstr("\n"))));
+    EXPECT_EQ(effect_->memoryBytes(), 0u);
+    ASSERT_TRUE(table_.setText("passes.break", "nothing"));
+    EXPECT_FALSE(frame().empty) << "back after " << how;
+    EXPECT_FALSE(effect_->failure());
+  }
+}
+
+TEST_F(Refusal, noLayout) {
+  const std::string log = logOf("null");
+  EXPECT_THAT(log, HasSubstr("passes: no layout today"));
+  EXPECT_EQ(lines(log), 2u) << log;
+}
+
+TEST_F(Refusal, prepareFalseIsAFrameWithout) {
+  EXPECT_FALSE(frame().empty);
+  EXPECT_EQ(logOf("prepare"), "");
+  EXPECT_FALSE(effect_->failure());
+}
+
+TEST_F(Refusal, castersRunWhenTheyAreOffered) {
+  int drawn = 0;
+  drawCasters_ = [&](render::PassContext&, const glm::mat4& clipFromWorld) {
+    ++drawn;
+    EXPECT_EQ(clipFromWorld, glm::mat4(0)) << "the block that prepare left at zero";
+  };
+  ASSERT_TRUE(table_.setText("passes.break", "casters"));
+  EXPECT_FALSE(frame().empty);
+  EXPECT_EQ(drawn, 0) << "nobody reads the caster depth, so the graph drops the pass";
+  EXPECT_FALSE(effect_->failure());
+}
+
+}  // namespace
+}  // namespace tyndall::host
