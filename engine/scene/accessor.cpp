@@ -26,10 +26,14 @@ T load(const unsigned char* at) {
 
 float component(const unsigned char* at, int type, bool normalize) {
   switch (type) {
-    case kByte: return normalize ? std::max(static_cast<float>(load<std::int8_t>(at)) / 127.0f, -1.0f) : load<std::int8_t>(at);
+    case kByte:
+      return normalize ? std::max(static_cast<float>(load<std::int8_t>(at)) / 127.0f, -1.0f) : load<std::int8_t>(at);
     case kUnsignedByte: return normalize ? static_cast<float>(*at) / 255.0f : *at;
-    case kShort: return normalize ? std::max(static_cast<float>(load<std::int16_t>(at)) / 32767.0f, -1.0f) : load<std::int16_t>(at);
-    case kUnsignedShort: return normalize ? static_cast<float>(load<std::uint16_t>(at)) / 65535.0f : load<std::uint16_t>(at);
+    case kShort:
+      return normalize ? std::max(static_cast<float>(load<std::int16_t>(at)) / 32767.0f, -1.0f)
+                       : load<std::int16_t>(at);
+    case kUnsignedShort:
+      return normalize ? static_cast<float>(load<std::uint16_t>(at)) / 65535.0f : load<std::uint16_t>(at);
     case kUnsignedInt: return static_cast<float>(load<std::uint32_t>(at));
     default: return load<float>(at);
   }
@@ -49,17 +53,19 @@ AccessorReader::AccessorReader(const document::Document& document, int accessor,
   if (accessor_.sparse.count) openSparse();
 }
 
-const unsigned char* AccessorReader::span(int viewIndex, std::size_t offset, std::size_t count, std::size_t size, std::size_t& stride) const {
+const unsigned char* AccessorReader::span(int viewIndex, std::size_t offset, std::size_t count, std::size_t size,
+                                          std::size_t& stride) const {
   const document::BufferView& view = document_.views[viewIndex];
   const auto& buffer = document_.buffers[view.buffer];
   stride = view.byteStride ? view.byteStride : size;
-  if (stride < size) refuse(what_ + ": a stride of " + std::to_string(stride) + " bytes is below its element's " + std::to_string(size));
+  if (stride < size)
+    refuse(what_ + ": a stride of " + std::to_string(stride) + " bytes is below its element's " + std::to_string(size));
   const std::uint64_t end = offset + (count - 1) * stride + size;
   if (end > view.byteLength)
     refuse(what_ + " needs " + std::to_string(end) + " bytes; its buffer view has " + std::to_string(view.byteLength));
   if (view.byteOffset + view.byteLength > buffer.size())
-    refuse(what_ + ": its buffer view ends at byte " + std::to_string(view.byteOffset + view.byteLength) + "; the buffer has " +
-           std::to_string(buffer.size()));
+    refuse(what_ + ": its buffer view ends at byte " + std::to_string(view.byteOffset + view.byteLength) +
+           "; the buffer has " + std::to_string(buffer.size()));
   return buffer.data() + view.byteOffset + offset;
 }
 
@@ -80,7 +86,9 @@ void AccessorReader::openSparse() {
 }
 
 std::uint32_t AccessorReader::unsignedAt(const unsigned char* at, int componentType) {
-  return componentType == kUnsignedByte ? *at : componentType == kUnsignedShort ? load<std::uint16_t>(at) : load<std::uint32_t>(at);
+  return componentType == kUnsignedByte    ? *at
+         : componentType == kUnsignedShort ? load<std::uint16_t>(at)
+                                           : load<std::uint32_t>(at);
 }
 
 const unsigned char* AccessorReader::elementAt(std::size_t i) const {
@@ -96,7 +104,8 @@ glm::vec4 AccessorReader::vector(std::size_t i, const glm::vec4& fallback, bool 
   glm::vec4 out = fallback;
   const unsigned char* at = elementAt(i);
   for (int c = 0; c < accessor_.width; ++c) {
-    out[c] = component(at + c * componentSize(accessor_.componentType), accessor_.componentType, normalize || accessor_.normalized);
+    out[c] = component(at + c * componentSize(accessor_.componentType), accessor_.componentType,
+                       normalize || accessor_.normalized);
     if (!std::isfinite(out[c])) refuse(what_ + ": element " + std::to_string(i) + " is not finite");
   }
   return out;

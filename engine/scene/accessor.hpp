@@ -31,7 +31,8 @@ class AccessorReader {
  private:
   static std::uint32_t unsignedAt(const unsigned char* at, int componentType);
   const unsigned char* elementAt(std::size_t i) const;
-  const unsigned char* span(int view, std::size_t offset, std::size_t count, std::size_t size, std::size_t& stride) const;
+  const unsigned char* span(int view, std::size_t offset, std::size_t count, std::size_t size,
+                            std::size_t& stride) const;
   void openSparse();
 
   const document::Document& document_;

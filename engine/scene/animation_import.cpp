@@ -26,16 +26,19 @@ glm::vec4 unitQuaternion(const glm::vec4& q, const std::string& what, Warnings& 
 }
 
 /// Keys and values; keys that do not advance in time are left out.
-void readKeys(const Document& document, const document::AnimationSampler& sampler, const std::string& what, AnimationChannel& out,
-              Warnings& warnings) {
+void readKeys(const Document& document, const document::AnimationSampler& sampler, const std::string& what,
+              AnimationChannel& out, Warnings& warnings) {
   const AccessorReader times(document, sampler.input, what + ".input");
   const AccessorReader values(document, sampler.output, what + ".output");
   const int width = out.target == AnimationTarget::kRotation ? 4 : 3;
   const std::size_t perKey = sampler.interpolation == Interpolation::kCubicSpline ? 3 : 1;
   if (times.width() != 1 || times.componentType() != 5126) refuse(what + ".input is not a list of floats");
-  if (values.width() != width) refuse(what + ".output has " + std::to_string(values.width()) + " components; " + std::to_string(width) + " are expected");
+  if (values.width() != width)
+    refuse(what + ".output has " + std::to_string(values.width()) + " components; " + std::to_string(width) +
+           " are expected");
   if (values.count() != times.count() * perKey)
-    refuse(what + ".output has " + std::to_string(values.count()) + " elements; " + std::to_string(times.count() * perKey) + " are expected");
+    refuse(what + ".output has " + std::to_string(values.count()) + " elements; " +
+           std::to_string(times.count() * perKey) + " are expected");
   out.interpolation = sampler.interpolation;
   for (std::size_t i = 0; i < times.count(); ++i) {
     const float time = times.vector(i).x;
@@ -46,6 +49,9 @@ void readKeys(const Document& document, const document::AnimationSampler& sample
     out.times.push_back(time);
     for (std::size_t k = 0; k < perKey; ++k) {
       glm::vec4 value = values.vector(i * perKey + k);
+      if (glm::any(glm::greaterThan(glm::abs(value), glm::vec4(kMaxExtent))))
+        refuse(what + ".output: element " + std::to_string(i * perKey + k) + " is beyond " +
+               std::to_string(static_cast<long>(kMaxExtent)));
       const bool tangent = perKey == 3 && k != 1;
       if (width == 4 && !tangent) value = unitQuaternion(value, what, warnings);
       out.values.push_back(value);
@@ -55,12 +61,15 @@ void readKeys(const Document& document, const document::AnimationSampler& sample
 
 }  // namespace
 
-void importAnimations(const Document& document, std::span<const std::int32_t> sceneNode, Scene& scene, Warnings& warnings) {
+void importAnimations(const Document& document, std::span<const std::int32_t> sceneNode, Scene& scene,
+                      Warnings& warnings) {
   // Many channels may name the same accessors: count before allocating.
   std::size_t values = 0;
   for (const document::Animation& in : document.animations)
-    for (const document::AnimationChannel& channel : in.channels) values += document.accessors[in.samplers[channel.sampler].output].count;
-  if (values > kMaxAnimationValues) refuse("its animations have more than " + std::to_string(kMaxAnimationValues) + " values");
+    for (const document::AnimationChannel& channel : in.channels)
+      values += document.accessors[in.samplers[channel.sampler].output].count;
+  if (values > kMaxAnimationValues)
+    refuse("its animations have more than " + std::to_string(kMaxAnimationValues) + " values");
   for (std::size_t a = 0; a < document.animations.size(); ++a) {
     const document::Animation& in = document.animations[a];
     Animation out{in.name, 0, {}};
@@ -74,7 +83,8 @@ void importAnimations(const Document& document, std::span<const std::int32_t> sc
       const std::int32_t node = sceneNode[channel.node];
       if (node == kNone) continue;  // of another scene
       if (scene.nodes[node].matrix) {
-        warnings.add(element("animations", a) + " moves " + element("nodes", channel.node) + ", which has a matrix; that was left out");
+        warnings.add(element("animations", a) + " moves " + element("nodes", channel.node) +
+                     ", which has a matrix; that was left out");
         continue;
       }
       AnimationChannel imported;

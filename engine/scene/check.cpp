@@ -48,9 +48,12 @@ void checkPrimitive(Checker& c, const Scene& scene, const Primitive& p, const st
     bounds.add(v.position);
     const bool sound = finite(v.position) && unit(v.normal) && unit(glm::vec3(v.tangent)) &&
                        std::abs(v.tangent.w) == 1.0f && finite(v.uv) && finite(v.color);
-    if (!sound) c.require(false, name + "." + at("vertices", i) + " has a number that is not finite or a vector that is not unit");
+    if (!sound)
+      c.require(false,
+                name + "." + at("vertices", i) + " has a number that is not finite or a vector that is not unit");
   }
-  c.require(!withBounds || (p.bounds.min == bounds.min && p.bounds.max == bounds.max), name + ".bounds are not those of its vertices");
+  c.require(!withBounds || (p.bounds.min == bounds.min && p.bounds.max == bounds.max),
+            name + ".bounds are not those of its vertices");
 }
 
 void checkMaterial(Checker& c, const Scene& scene, const Material& m, const std::string& name) {
@@ -58,13 +61,15 @@ void checkMaterial(Checker& c, const Scene& scene, const Material& m, const std:
                               &m.emissiveTexture};
   for (const TextureUse* use : uses) {
     c.index(use->texture, scene.textures.size(), name + "'s texture", "textures", true);
-    c.require(finite(use->offset) && finite(use->scale) && finite(use->rotation), name + "'s texture transform is not finite");
+    c.require(finite(use->offset) && finite(use->scale) && finite(use->rotation),
+              name + "'s texture transform is not finite");
   }
   for (int i = 0; i < 4; ++i) c.require(inUnitRange(m.baseColor[i]), name + ".baseColor is outside 0..1");
   c.require(inUnitRange(m.metallic), name + ".metallic is outside 0..1");
   c.require(inUnitRange(m.roughness), name + ".roughness is outside 0..1");
   c.require(inUnitRange(m.occlusionStrength), name + ".occlusionStrength is outside 0..1");
-  c.require(finite(m.emissive) && glm::all(glm::greaterThanEqual(m.emissive, glm::vec3(0))), name + ".emissive is negative or not finite");
+  c.require(finite(m.emissive) && glm::all(glm::greaterThanEqual(m.emissive, glm::vec3(0))),
+            name + ".emissive is negative or not finite");
   c.require(finite(m.normalScale), name + ".normalScale is not finite");
   c.require(finite(m.alphaCutoff) && m.alphaCutoff >= 0, name + ".alphaCutoff is negative or not finite");
 }
@@ -80,7 +85,8 @@ void checkNode(Checker& c, const Scene& scene, std::size_t i) {
   if (n.matrix)
     for (int column = 0; column < 4; ++column) sound = sound && finite((*n.matrix)[column]);
   c.require(sound, name + "'s transform is not finite");
-  c.require(std::abs(glm::dot(n.rotation, n.rotation) - 1.0f) < kUnitTolerance, name + ".rotation is not a unit quaternion");
+  c.require(std::abs(glm::dot(n.rotation, n.rotation) - 1.0f) < kUnitTolerance,
+            name + ".rotation is not a unit quaternion");
 }
 
 void checkCamera(Checker& c, const Camera& camera, const std::string& name) {
@@ -90,12 +96,14 @@ void checkCamera(Checker& c, const Camera& camera, const std::string& name) {
 }
 
 void checkLight(Checker& c, const Light& light, const std::string& name) {
-  c.require(finite(light.color) && glm::all(glm::greaterThanEqual(light.color, glm::vec3(0))), name + ".color is negative or not finite");
+  c.require(finite(light.color) && glm::all(glm::greaterThanEqual(light.color, glm::vec3(0))),
+            name + ".color is negative or not finite");
   c.require(light.intensity >= 0 && finite(light.intensity), name + ".intensity is negative or not finite");
   c.require(!light.range || (*light.range > 0 && finite(*light.range)), name + ".range is not above 0");
   if (light.kind == LightKind::kSpot)
-    c.require(light.innerConeAngle >= 0 && light.innerConeAngle < light.outerConeAngle && light.outerConeAngle <= 1.5707964f,
-              name + "'s cone angles are not 0 <= inner < outer <= pi/2");
+    c.require(
+        light.innerConeAngle >= 0 && light.innerConeAngle < light.outerConeAngle && light.outerConeAngle <= 1.5707964f,
+        name + "'s cone angles are not 0 <= inner < outer <= pi/2");
 }
 
 void checkChannel(Checker& c, const Scene& scene, const AnimationChannel& channel, const std::string& name) {

@@ -23,8 +23,10 @@ Container openGlb(std::span<const std::byte> file, Warnings& warnings) {
     refuse("the .glb container has version " + std::to_string(version) + "; only 2 is known");
   const std::uint32_t length = word(file, 8);
   if (length > file.size())
-    refuse("truncated: the .glb header announces " + std::to_string(length) + " bytes, the file has " + std::to_string(file.size()));
-  if (length < 20) refuse("the .glb header announces " + std::to_string(length) + " bytes; that leaves no room for a JSON chunk");
+    refuse("truncated: the .glb header announces " + std::to_string(length) + " bytes, the file has " +
+           std::to_string(file.size()));
+  if (length < 20)
+    refuse("the .glb header announces " + std::to_string(length) + " bytes; that leaves no room for a JSON chunk");
   if (length < file.size())
     warnings.add(std::to_string(file.size() - length) + " bytes after the .glb's announced end were ignored");
   Container out;
@@ -57,7 +59,8 @@ Container openContainer(std::span<const std::byte> file, Warnings& warnings) {
   if (file.empty()) refuse("is empty");
   if (file.size() >= 4 && word(file, 0) == kMagic) return openGlb(file, warnings);
   const char first = static_cast<char>(file[0]);
-  const bool mayBeJson = first == '{' || first == ' ' || first == '\t' || first == '\r' || first == '\n' || first == '\xEF';
+  const bool mayBeJson =
+      first == '{' || first == ' ' || first == '\t' || first == '\r' || first == '\n' || first == '\xEF';
   if (!mayBeJson) refuse("is neither glTF (JSON text) nor GLB (starts with \"glTF\")");
   return {{reinterpret_cast<const char*>(file.data()), file.size()}, {}};
 }
@@ -80,9 +83,7 @@ void checkJsonShape(std::string_view json) {
       case ']':
         if (depth > 0) --depth;
         break;
-      case ',':
-        ++values;
-        break;
+      case ',': ++values; break;
       default: break;
     }
     if (values > kMaxJsonValues) refuse("its JSON has more than " + std::to_string(kMaxJsonValues) + " values");

@@ -63,7 +63,8 @@ int GlbBuilder::indices(std::span<const std::uint32_t> values, std::size_t verte
   const bool small = vertexCount <= 65535;
   if (small) {
     std::vector<std::uint16_t> narrow(values.size());
-    std::transform(values.begin(), values.end(), narrow.begin(), [](std::uint32_t i) { return static_cast<std::uint16_t>(i); });
+    std::transform(values.begin(), values.end(), narrow.begin(),
+                   [](std::uint32_t i) { return static_cast<std::uint16_t>(i); });
     bufferView = view(std::as_bytes(std::span(narrow)), ViewTarget::kIndices);
   } else {
     bufferView = view(std::as_bytes(values), ViewTarget::kIndices);

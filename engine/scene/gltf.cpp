@@ -28,7 +28,8 @@ std::vector<std::byte>* find(Supply& supply, const std::string& path) {
   const std::size_t slash = path.rfind('/');
   const std::string_view number = std::string_view(path).substr(slash + 1);
   std::size_t index = 0;
-  if (slash == std::string::npos || std::from_chars(number.begin(), number.end(), index).ptr != number.end()) return nullptr;
+  if (slash == std::string::npos || std::from_chars(number.begin(), number.end(), index).ptr != number.end())
+    return nullptr;
   auto& list = path.find("image/") != std::string::npos ? supply.prepared.images : supply.prepared.buffers;
   return index < list.size() ? &list[index] : nullptr;
 }
@@ -46,11 +47,13 @@ bool readFile(std::vector<unsigned char>* out, std::string*, const std::string& 
 }
 bool writeFile(std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }
 
-bool decode(tinygltf::Image* image, const int index, std::string*, std::string*, int, int, const unsigned char* bytes, int size, void* user) {
+bool decode(tinygltf::Image* image, const int index, std::string*, std::string*, int, int, const unsigned char* bytes,
+            int size, void* user) {
   auto& supply = *static_cast<Supply*>(user);
   supply.images.resize(std::max<std::size_t>(supply.images.size(), index + 1));
   if (size <= 1) return true;  // not shown
-  auto decoded = decodeImage(std::as_bytes(std::span(bytes, static_cast<std::size_t>(size))), std::min(kMaxImagePixels, supply.pixelsLeft));
+  auto decoded = decodeImage(std::as_bytes(std::span(bytes, static_cast<std::size_t>(size))),
+                             std::min(kMaxImagePixels, supply.pixelsLeft));
   if (!decoded) {
     supply.refusal = supply.prepared.imageNames[index] + " " + decoded.error().message;
     return false;
@@ -79,7 +82,8 @@ double number(const Value& object, const char* key, double fallback) {
 std::vector<double> numbers(const Value& object, const char* key) {
   std::vector<double> out;
   if (object.Has(key))
-    for (std::size_t i = 0; i < object.Get(key).ArrayLen(); ++i) out.push_back(object.Get(key).Get(static_cast<int>(i)).GetNumberAsDouble());
+    for (std::size_t i = 0; i < object.Get(key).ArrayLen(); ++i)
+      out.push_back(object.Get(key).Get(static_cast<int>(i)).GetNumberAsDouble());
   return out;
 }
 
@@ -129,7 +133,9 @@ document::Material material(const tinygltf::Material& in) {
   m.normalScale = static_cast<float>(in.normalTexture.scale);
   m.occlusionStrength = static_cast<float>(in.occlusionTexture.strength);
   m.alphaCutoff = static_cast<float>(in.alphaCutoff);
-  m.alphaMode = in.alphaMode == "MASK" ? AlphaMode::kMask : in.alphaMode == "BLEND" ? AlphaMode::kBlend : AlphaMode::kOpaque;
+  m.alphaMode = in.alphaMode == "MASK"    ? AlphaMode::kMask
+                : in.alphaMode == "BLEND" ? AlphaMode::kBlend
+                                          : AlphaMode::kOpaque;
   m.doubleSided = in.doubleSided;
   texture(pbr.baseColorTexture, m.baseColorTexture, out.uvSets[document::kBaseColorSlot]);
   texture(pbr.metallicRoughnessTexture, m.metallicRoughnessTexture, out.uvSets[document::kMetallicRoughnessSlot]);
@@ -144,14 +150,17 @@ document::Material material(const tinygltf::Material& in) {
 }
 
 Sampler sampler(const tinygltf::Sampler& in) {
-  const auto wrap = [](int gl) { return gl == 33071 ? Wrap::kClampToEdge : gl == 33648 ? Wrap::kMirroredRepeat : Wrap::kRepeat; };
+  const auto wrap = [](int gl) {
+    return gl == 33071 ? Wrap::kClampToEdge : gl == 33648 ? Wrap::kMirroredRepeat : Wrap::kRepeat;
+  };
   Sampler out;
   out.wrapU = wrap(in.wrapS);
   out.wrapV = wrap(in.wrapT);
   out.magnify = in.magFilter == 9728 ? Filter::kNearest : Filter::kLinear;
   // Nearest, linear without mipmaps; then nearest/linear texels of the nearest level, and of two levels.
   out.useMipmaps = in.minFilter != 9728 && in.minFilter != 9729;
-  out.minify = in.minFilter == 9728 || in.minFilter == 9984 || in.minFilter == 9986 ? Filter::kNearest : Filter::kLinear;
+  out.minify =
+      in.minFilter == 9728 || in.minFilter == 9984 || in.minFilter == 9986 ? Filter::kNearest : Filter::kLinear;
   out.mipmap = in.minFilter == 9984 || in.minFilter == 9985 ? Filter::kNearest : Filter::kLinear;
   return out;
 }
@@ -161,20 +170,27 @@ document::Accessor accessor(const tinygltf::Accessor& in) {
   out.view = in.bufferView;
   out.byteOffset = in.byteOffset;
   out.componentType = in.componentType;
-  out.width = in.type == TINYGLTF_TYPE_SCALAR ? 1 : in.type >= TINYGLTF_TYPE_VEC2 && in.type <= TINYGLTF_TYPE_VEC4 ? in.type : 0;
+  out.width = in.type == TINYGLTF_TYPE_SCALAR                                  ? 1
+              : in.type >= TINYGLTF_TYPE_VEC2 && in.type <= TINYGLTF_TYPE_VEC4 ? in.type
+                                                                               : 0;
   out.count = in.count;
   out.normalized = in.normalized;
   if (in.sparse.isSparse) {
     const auto& s = in.sparse;
-    out.sparse = {static_cast<std::size_t>(s.count), s.indices.bufferView, s.values.bufferView,
-                  static_cast<std::size_t>(s.indices.byteOffset), static_cast<std::size_t>(s.values.byteOffset), s.indices.componentType};
+    out.sparse = {static_cast<std::size_t>(s.count),
+                  s.indices.bufferView,
+                  s.values.bufferView,
+                  static_cast<std::size_t>(s.indices.byteOffset),
+                  static_cast<std::size_t>(s.values.byteOffset),
+                  s.indices.componentType};
   }
   return out;
 }
 
 document::Mesh mesh(const tinygltf::Mesh& in) {
   document::Mesh out{in.name, {}};
-  for (const auto& p : in.primitives) out.primitives.push_back({p.attributes, p.indices, p.material, p.mode, !p.targets.empty()});
+  for (const auto& p : in.primitives)
+    out.primitives.push_back({p.attributes, p.indices, p.material, p.mode, !p.targets.empty()});
   return out;
 }
 
@@ -184,7 +200,8 @@ document::Node node(const tinygltf::Node& in) {
   n.name = in.name;
   n.mesh = in.mesh;
   n.camera = in.camera;
-  if (const Value* light = extension(in.extensions, "KHR_lights_punctual")) n.light = static_cast<int>(number(*light, "light", kNone));
+  if (const Value* light = extension(in.extensions, "KHR_lights_punctual"))
+    n.light = static_cast<int>(number(*light, "light", kNone));
   n.translation = vec<3>(in.translation, glm::vec3(0));
   n.scale = vec<3>(in.scale, glm::vec3(1));
   const glm::vec4 q = vec<4>(in.rotation, glm::vec4(0, 0, 0, 1));
@@ -220,7 +237,10 @@ Light light(const tinygltf::Light& in) {
 document::Animation animation(const tinygltf::Animation& in) {
   document::Animation out{in.name, {}, {}};
   for (const auto& s : in.samplers)
-    out.samplers.push_back({s.input, s.output, s.interpolation == "STEP" ? Interpolation::kStep : s.interpolation == "CUBICSPLINE" ? Interpolation::kCubicSpline : Interpolation::kLinear});
+    out.samplers.push_back({s.input, s.output,
+                            s.interpolation == "STEP"          ? Interpolation::kStep
+                            : s.interpolation == "CUBICSPLINE" ? Interpolation::kCubicSpline
+                                                               : Interpolation::kLinear});
   for (const auto& c : in.channels) out.channels.push_back({c.sampler, c.target_node, c.target_path});
   return out;
 }
@@ -242,14 +262,17 @@ document::Document parseGltf(Prepared prepared, Warnings& warnings) {
   tinygltf::Model model;
   std::string error, warning;
   const std::string& json = supply.prepared.json;
-  const bool parsed = parser.LoadASCIIFromString(&model, &error, &warning, json.data(), static_cast<unsigned>(json.size()), ".");
+  const bool parsed =
+      parser.LoadASCIIFromString(&model, &error, &warning, json.data(), static_cast<unsigned>(json.size()), ".");
   if (!supply.refusal.empty()) refuse(supply.refusal);
   if (!parsed) refuse("tinygltf: " + oneLine(error.empty() ? "refused without a reason" : error));
   if (!warning.empty()) warnings.add("tinygltf: " + oneLine(warning));
 
   document::Document out;
   for (tinygltf::Buffer& buffer : model.buffers) out.buffers.push_back(std::move(buffer.data));
-  convert(out.views, model.bufferViews, [](const auto& v) { return document::BufferView{v.buffer, v.byteOffset, v.byteLength, v.byteStride}; });
+  convert(out.views, model.bufferViews, [](const auto& v) {
+    return document::BufferView{v.buffer, v.byteOffset, v.byteLength, v.byteStride};
+  });
   convert(out.accessors, model.accessors, accessor);
   convert(out.meshes, model.meshes, mesh);
   convert(out.materials, model.materials, material);

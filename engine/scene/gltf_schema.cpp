@@ -1,6 +1,6 @@
 // The tables of glTF 2.0 (Khronos specification, section 5) and of the extensions that the importer knows.
-#include "schema.hpp"
 #include "scene/limits.hpp"
+#include "schema.hpp"
 
 namespace tyndall::scene {
 namespace {
@@ -8,7 +8,8 @@ namespace {
 // tinygltf keeps most integers as int.
 constexpr double kMaxInt = 2147483647.0;
 constexpr double kHalfPi = 1.5707963267948966;
-constexpr double kMaxFloat = std::numeric_limits<float>::max();
+// Far above anything meant (the sun: 1e5 lux), far below where products of a few such numbers leave a float.
+constexpr double kMaxIntensity = 1e12, kMaxColor = 1e6, kMaxStrength = 1e9, kMaxTransform = 1e6, kMaxNormalScale = 1e3;
 constexpr const char* kComponentTypes = "5120|5121|5122|5123|5125|5126";
 
 Property text(const char* key, const char* choices = nullptr, bool required = false) {
@@ -22,18 +23,18 @@ Property index(const char* key, const char* array, bool required = false) {
   return {.key = key, .kind = Kind::kIndex, .required = required, .array = array};
 }
 Property indices(const char* key, const char* array) { return {.key = key, .kind = Kind::kIndices, .array = array}; }
-/// Any finite float.
-Property real(const char* key) { return {.key = key, .kind = Kind::kNumber}; }
 /// Repaired when outside: exporters write 1.0000001 and the like.
 Property factor(const char* key, double low, double high) {
   return {.key = key, .kind = Kind::kNumber, .low = low, .high = high, .clamp = true};
 }
+Property smallVector(const char* key, std::size_t size, double low, double high) {
+  return {
+      .key = key, .kind = Kind::kNumbers, .low = low, .high = high, .clamp = true, .minItems = size, .maxItems = size};
+}
 Property vector(const char* key, std::size_t size) {
   return {.key = key, .kind = Kind::kNumbers, .minItems = size, .maxItems = size};
 }
-Property factors(const char* key, std::size_t size, double high) {
-  return {.key = key, .kind = Kind::kNumbers, .low = 0, .high = high, .clamp = true, .minItems = size, .maxItems = size};
-}
+Property factors(const char* key, std::size_t size, double high) { return smallVector(key, size, 0, high); }
 Property object(const char* key, const Schema& schema, bool required = false) {
   return {.key = key, .kind = Kind::kObject, .required = required, .object = &schema};
 }
@@ -50,21 +51,29 @@ const Schema kBufferView{{index("buffer", "buffers", true), integer("byteOffset"
 const Schema kSparseIndices{{index("bufferView", "bufferViews", true), integer("byteOffset", 0, kMaxInt),
                              integer("componentType", 0, kMaxInt, true, "5121|5123|5125")}};
 const Schema kSparseValues{{index("bufferView", "bufferViews", true), integer("byteOffset", 0, kMaxInt)}};
-const Schema kSparse{{integer("count", 1, kMaxInt, true), object("indices", kSparseIndices, true), object("values", kSparseValues, true)}};
+const Schema kSparse{{integer("count", 1, kMaxInt, true), object("indices", kSparseIndices, true),
+                      object("values", kSparseValues, true)}};
 const Schema kAccessor{{index("bufferView", "bufferViews"), integer("byteOffset", 0, kMaxInt),
                         integer("componentType", 0, kMaxInt, true, kComponentTypes), flag("normalized"),
                         integer("count", 1, kMaxInt, true), text("type", "SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4", true),
                         object("sparse", kSparse)}};
 
 const Schema kPrimitive{{{.key = "attributes", .kind = Kind::kAttributes, .required = true, .array = "accessors"},
-                         index("indices", "accessors"), index("material", "materials"), integer("mode", 0, 6),
+                         index("indices", "accessors"),
+                         index("material", "materials"),
+                         integer("mode", 0, 6),
                          objects("targets", kEmpty)}};
 const Schema kMesh{{text("name"), objects("primitives", kPrimitive)}};
 
-const Schema kTransform{{vector("offset", 2), real("rotation"), vector("scale", 2), integer("texCoord", 0, 255)}};
+const Schema kTransform{{smallVector("offset", 2, -kMaxTransform, kMaxTransform),
+                         factor("rotation", -kMaxTransform, kMaxTransform),
+                         smallVector("scale", 2, -kMaxTransform, kMaxTransform), integer("texCoord", 0, 255)}};
 const Schema kTextureExtensions{{object("KHR_texture_transform", kTransform)}};
-const Schema kTextureInfo{{index("index", "textures", true), integer("texCoord", 0, 255), object("extensions", kTextureExtensions)}};
-const Schema kNormalTexture{{index("index", "textures", true), integer("texCoord", 0, 255), real("scale"), object("extensions", kTextureExtensions)}};
+const Schema kTextureInfo{
+    {index("index", "textures", true), integer("texCoord", 0, 255), object("extensions", kTextureExtensions)}};
+const Schema kNormalTexture{{index("index", "textures", true), integer("texCoord", 0, 255),
+                             factor("scale", -kMaxNormalScale, kMaxNormalScale),
+                             object("extensions", kTextureExtensions)}};
 const Schema kOcclusionTexture{{index("index", "textures", true), integer("texCoord", 0, 255), factor("strength", 0, 1),
                                 object("extensions", kTextureExtensions)}};
 const Schema kMetallicRoughness{{factors("baseColorFactor", 4, 1), object("baseColorTexture", kTextureInfo),
@@ -72,18 +81,21 @@ const Schema kMetallicRoughness{{factors("baseColorFactor", 4, 1), object("baseC
                                  object("metallicRoughnessTexture", kTextureInfo)}};
 const Schema kSpecularGlossiness{{factors("diffuseFactor", 4, 1), object("diffuseTexture", kTextureInfo),
                                   factors("specularFactor", 3, 1), factor("glossinessFactor", 0, 1)}};
-const Schema kEmissiveStrength{{factor("emissiveStrength", 0, kMaxFloat)}};
-const Schema kMaterialExtensions{{object("KHR_materials_unlit", kEmpty), object("KHR_materials_emissive_strength", kEmissiveStrength),
+const Schema kEmissiveStrength{{factor("emissiveStrength", 0, kMaxStrength)}};
+const Schema kMaterialExtensions{{object("KHR_materials_unlit", kEmpty),
+                                  object("KHR_materials_emissive_strength", kEmissiveStrength),
                                   object("KHR_materials_pbrSpecularGlossiness", kSpecularGlossiness)}};
-const Schema kMaterial{{text("name"), object("pbrMetallicRoughness", kMetallicRoughness), object("normalTexture", kNormalTexture),
-                        object("occlusionTexture", kOcclusionTexture), object("emissiveTexture", kTextureInfo),
-                        factors("emissiveFactor", 3, 1), text("alphaMode", "OPAQUE|MASK|BLEND"),
-                        factor("alphaCutoff", 0, kMaxFloat), flag("doubleSided"), object("extensions", kMaterialExtensions)}};
+const Schema kMaterial{{text("name"), object("pbrMetallicRoughness", kMetallicRoughness),
+                        object("normalTexture", kNormalTexture), object("occlusionTexture", kOcclusionTexture),
+                        object("emissiveTexture", kTextureInfo), factors("emissiveFactor", 3, 1),
+                        text("alphaMode", "OPAQUE|MASK|BLEND"), factor("alphaCutoff", 0, kMaxColor),
+                        flag("doubleSided"), object("extensions", kMaterialExtensions)}};
 
 const Schema kImage{{text("name"), text("uri"), index("bufferView", "bufferViews"), text("mimeType")}};
 const Schema kSampler{{integer("magFilter", 0, kMaxInt, false, "9728|9729"),
                        integer("minFilter", 0, kMaxInt, false, "9728|9729|9984|9985|9986|9987"),
-                       integer("wrapS", 0, kMaxInt, false, "10497|33071|33648"), integer("wrapT", 0, kMaxInt, false, "10497|33071|33648")}};
+                       integer("wrapS", 0, kMaxInt, false, "10497|33071|33648"),
+                       integer("wrapT", 0, kMaxInt, false, "10497|33071|33648")}};
 const Schema kTexture{{index("sampler", "samplers"), index("source", "images")}};
 
 const Schema kNodeLight{{index("light", "KHR_lights_punctual.lights", true)}};
@@ -93,14 +105,16 @@ const Schema kNode{{text("name"), indices("children", "nodes"), index("camera", 
                     vector("scale", 3), object("extensions", kNodeExtensions)}};
 const Schema kScene{{text("name"), indices("nodes", "nodes")}};
 
-const Schema kPerspective{{{.key = "yfov", .kind = Kind::kNumber, .required = true, .low = 1e-4, .high = 3.1415},
-                           {.key = "znear", .kind = Kind::kNumber, .required = true, .low = 1e-30},
-                           {.key = "zfar", .kind = Kind::kNumber, .low = 1e-30}}};
-const Schema kCamera{{text("name"), text("type", "perspective|orthographic", true), object("perspective", kPerspective)}};
+const Schema kPerspective{
+    {{.key = "yfov", .kind = Kind::kNumber, .required = true, .low = 1e-4, .high = 3.1415},
+     {.key = "znear", .kind = Kind::kNumber, .required = true, .low = 1e-5, .high = kMaxExtent, .clamp = true},
+     factor("zfar", 0, kMaxExtent)}};
+const Schema kCamera{
+    {text("name"), text("type", "perspective|orthographic", true), object("perspective", kPerspective)}};
 
 const Schema kSpot{{factor("innerConeAngle", 0, kHalfPi), factor("outerConeAngle", 0, kHalfPi)}};
-const Schema kLight{{text("name"), text("type", "directional|point|spot", true), factors("color", 3, kMaxFloat),
-                     factor("intensity", 0, kMaxFloat), factor("range", 0, kMaxFloat), object("spot", kSpot)}};
+const Schema kLight{{text("name"), text("type", "directional|point|spot", true), factors("color", 3, kMaxColor),
+                     factor("intensity", 0, kMaxIntensity), factor("range", 0, kMaxExtent), object("spot", kSpot)}};
 const Schema kLights{{objects("lights", kLight)}};
 const Schema kDocumentExtensions{{object("KHR_lights_punctual", kLights)}};
 
@@ -113,11 +127,20 @@ const Schema kAnimation{{text("name"), objects("channels", kChannel), objects("s
 const Schema kDocument{{object("asset", kAsset, true),
                         {.key = "extensionsUsed", .kind = Kind::kStrings},
                         {.key = "extensionsRequired", .kind = Kind::kStrings},
-                        objects("buffers", kBuffer), objects("bufferViews", kBufferView), objects("accessors", kAccessor),
-                        objects("meshes", kMesh), objects("materials", kMaterial), objects("textures", kTexture),
-                        objects("images", kImage), objects("samplers", kSampler), objects("nodes", kNode, kMaxNodes),
-                        objects("scenes", kScene), index("scene", "scenes"), objects("cameras", kCamera),
-                        objects("animations", kAnimation), object("extensions", kDocumentExtensions)}};
+                        objects("buffers", kBuffer),
+                        objects("bufferViews", kBufferView),
+                        objects("accessors", kAccessor),
+                        objects("meshes", kMesh),
+                        objects("materials", kMaterial),
+                        objects("textures", kTexture),
+                        objects("images", kImage),
+                        objects("samplers", kSampler),
+                        objects("nodes", kNode, kMaxNodes),
+                        objects("scenes", kScene),
+                        index("scene", "scenes"),
+                        objects("cameras", kCamera),
+                        objects("animations", kAnimation),
+                        object("extensions", kDocumentExtensions)}};
 
 }  // namespace
 

@@ -13,18 +13,20 @@ namespace tyndall::scene {
 void importMaterials(document::Document& document, Scene& scene, Warnings& warnings);
 
 /// Nodes of the default scene (or the first one, or all roots), parents first, and the cameras and lights on them.
-/// Node::mesh still counts as in the document. Returns the node's index in `scene` for each of the document's, or kNone.
+/// Node::mesh still counts as in the document. Returns the node's index in `scene` for each of the document's, or
+/// kNone.
 std::vector<std::int32_t> importNodes(const document::Document& document, Scene& scene, Warnings& warnings);
 
 /// The meshes that `scene`'s nodes show; renumbers Node::mesh.
 void importMeshes(const document::Document& document, Scene& scene, Warnings& warnings);
 
 /// Channels that move a node of the scene.
-void importAnimations(const document::Document& document, std::span<const std::int32_t> sceneNode, Scene& scene, Warnings& warnings);
+void importAnimations(const document::Document& document, std::span<const std::int32_t> sceneNode, Scene& scene,
+                      Warnings& warnings);
 
 /// One triangle list, finished: normals and tangents made where the file has none. Empty when nothing can be drawn.
-std::optional<Primitive> importPrimitive(const document::Document& document, const document::Primitive& in, const std::string& what,
-                                         Warnings& warnings);
+std::optional<Primitive> importPrimitive(const document::Document& document, const document::Primitive& in,
+                                         const std::string& what, Warnings& warnings);
 
 /// Unit normals from the triangles for those vertices whose normal is zero. Returns how many.
 std::size_t repairNormals(Primitive& primitive);

@@ -34,11 +34,13 @@ struct Progress {
 /// Warnings (level -1) mean damaged data, except for the harmless ones.
 void onMessage(j_common_ptr decoder, int level) {
   const int code = decoder->err->msg_code;
-  if (level == -1 && code != JWRN_EXTRANEOUS_DATA && code != JWRN_ADOBE_XFORM && code != JWRN_TOO_MUCH_DATA) stop(decoder);
+  if (level == -1 && code != JWRN_EXTRANEOUS_DATA && code != JWRN_ADOBE_XFORM && code != JWRN_TOO_MUCH_DATA)
+    stop(decoder);
 }
 void onProgress(j_common_ptr decoder) {
   if (!decoder->is_decompressor) return;
-  if (reinterpret_cast<j_decompress_ptr>(decoder)->input_scan_number > kMaxScans) ERREXIT(decoder, JERR_BAD_PROGRESSION);
+  if (reinterpret_cast<j_decompress_ptr>(decoder)->input_scan_number > kMaxScans)
+    ERREXIT(decoder, JERR_BAD_PROGRESSION);
 }
 
 struct Decoder {

@@ -17,17 +17,20 @@ void checkExtent(const Scene& scene) {
   for (std::size_t i = 0; i < matrices.size(); ++i)
     for (int column = 0; column < 4; ++column)
       if (!glm::all(glm::lessThanEqual(glm::abs(glm::vec3(matrices[i][column])), limit)))  // false for NaN as well
-        refuse(element("nodes", scene.nodes[i].order) + " is moved or scaled beyond " + std::to_string(static_cast<long>(kMaxExtent)) + " m");
+        refuse(element("nodes", scene.nodes[i].order) + " is moved or scaled beyond " +
+               std::to_string(static_cast<long>(kMaxExtent)) + " m");
   const Bounds bounds = worldBounds(scene, matrices);
   if (bounds.empty()) return;
-  if (!glm::all(glm::lessThanEqual(glm::abs(bounds.min), limit)) || !glm::all(glm::lessThanEqual(glm::abs(bounds.max), limit)))
+  if (!glm::all(glm::lessThanEqual(glm::abs(bounds.min), limit)) ||
+      !glm::all(glm::lessThanEqual(glm::abs(bounds.max), limit)))
     refuse("it reaches farther than " + std::to_string(static_cast<long>(kMaxExtent)) + " m from the origin");
 }
 
-Import import(const std::filesystem::path& path, std::span<const std::byte> file) {
+Import import(const std::filesystem::path& path, std::vector<std::byte> file) {
   Warnings warnings;
-  const Container container = openContainer(file, warnings);
-  document::Document document = parseGltf(prepare(container, path, file.size(), warnings), warnings);
+  Prepared prepared = prepare(openContainer(file, warnings), path, file.size(), warnings);
+  file = {};  // everything needed has been copied out
+  document::Document document = parseGltf(std::move(prepared), warnings);
   Import out;
   importMaterials(document, out.scene, warnings);
   const std::vector<std::int32_t> sceneNode = importNodes(document, out.scene, warnings);
@@ -46,7 +49,7 @@ Result<Import> loadGltf(const std::filesystem::path& path) {
   auto file = readFile(path, kMaxFileBytes);
   if (!file) return file.error();
   try {
-    return import(path, *file);
+    return import(path, file.take());
   } catch (const Refusal& refusal) {
     return failed(path.string() + ": " + refusal.reason);
   } catch (const std::bad_alloc&) {

@@ -41,7 +41,8 @@ void importMaterials(Document& document, Scene& scene, Warnings& warnings) {
   Importer importer{document, scene, warnings};
   for (std::size_t i = 0; i < document.materials.size(); ++i) {
     Material m = document.materials[i].material;
-    for (TextureUse* use : {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture})
+    for (TextureUse* use :
+         {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture})
       importer.use(*use);
     if (document.materials[i].specularGlossiness)
       warnings.add("materials of the archived specular-glossiness kind become ordinary dielectrics");

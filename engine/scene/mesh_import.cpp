@@ -13,7 +13,8 @@ using document::Document;
 
 enum : int { kTriangles = 4, kStrip = 5, kFan = 6 };
 
-std::vector<std::uint32_t> readIndices(const Document& document, const document::Primitive& in, std::size_t vertices, const std::string& what) {
+std::vector<std::uint32_t> readIndices(const Document& document, const document::Primitive& in, std::size_t vertices,
+                                       const std::string& what) {
   std::vector<std::uint32_t> out;
   if (in.indices == kNone) {
     out.resize(vertices);
@@ -22,18 +23,21 @@ std::vector<std::uint32_t> readIndices(const Document& document, const document:
   }
   const AccessorReader reader(document, in.indices, what + ".indices");
   const int type = reader.componentType();
-  if (reader.width() != 1 || (type != 5121 && type != 5123 && type != 5125)) refuse(what + ".indices are not unsigned integers");
+  if (reader.width() != 1 || (type != 5121 && type != 5123 && type != 5125))
+    refuse(what + ".indices are not unsigned integers");
   out.resize(reader.count());
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i] = reader.index(i);
     if (out[i] >= vertices)
-      refuse(what + "." + element("indices", i) + " is " + std::to_string(out[i]) + "; there are " + std::to_string(vertices) + " vertices");
+      refuse(what + "." + element("indices", i) + " is " + std::to_string(out[i]) + "; there are " +
+             std::to_string(vertices) + " vertices");
   }
   return out;
 }
 
 /// A triangle list of the same triangles, glTF 2.0 section 3.7.2.1.
-std::vector<std::uint32_t> triangulated(std::vector<std::uint32_t> in, int mode, const std::string& what, Warnings& warnings) {
+std::vector<std::uint32_t> triangulated(std::vector<std::uint32_t> in, int mode, const std::string& what,
+                                        Warnings& warnings) {
   if (mode == kTriangles) {
     if (in.size() % 3) {
       warnings.add(what + " ends with an incomplete triangle, which was left out");
@@ -43,8 +47,10 @@ std::vector<std::uint32_t> triangulated(std::vector<std::uint32_t> in, int mode,
   }
   std::vector<std::uint32_t> out;
   for (std::size_t i = 0; i + 2 < in.size(); ++i) {
-    if (mode == kFan) out.insert(out.end(), {in[i + 1], in[i + 2], in[0]});
-    else out.insert(out.end(), {in[i], in[i + 1 + i % 2], in[i + 2 - i % 2]});
+    if (mode == kFan)
+      out.insert(out.end(), {in[i + 1], in[i + 2], in[0]});
+    else
+      out.insert(out.end(), {in[i], in[i + 1 + i % 2], in[i + 2 - i % 2]});
   }
   return out;
 }
@@ -66,7 +72,8 @@ std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& indices, std::siz
     used = indices;
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
-    for (std::uint32_t& i : indices) i = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), i) - used.begin());
+    for (std::uint32_t& i : indices)
+      i = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), i) - used.begin());
   }
   return used;
 }
@@ -74,27 +81,31 @@ std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& indices, std::siz
 /// The texture coordinates that the material reads. A Vertex has one pair, so a second set is said and not used.
 int uvSet(const document::Material& material, const std::string& what, Warnings& warnings) {
   const Material& m = material.material;
-  const std::array<const TextureUse*, document::kTextureSlots> uses = {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture,
-                                                                       &m.occlusionTexture, &m.emissiveTexture};
+  const std::array<const TextureUse*, document::kTextureSlots> uses = {
+      &m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture};
   int set = kNone;
-  for (const int slot : {document::kBaseColorSlot, document::kNormalSlot, document::kMetallicRoughnessSlot, document::kEmissiveSlot, document::kOcclusionSlot}) {
+  for (const int slot : {document::kBaseColorSlot, document::kNormalSlot, document::kMetallicRoughnessSlot,
+                         document::kEmissiveSlot, document::kOcclusionSlot}) {
     if (!uses[slot]->used()) continue;
     if (set == kNone) set = material.uvSets[slot];
-    if (material.uvSets[slot] != set) warnings.add(what + "'s textures use different texture coordinates; all get TEXCOORD_" + std::to_string(set));
+    if (material.uvSets[slot] != set)
+      warnings.add(what + "'s textures use different texture coordinates; all get TEXCOORD_" + std::to_string(set));
   }
   return set;
 }
 
 /// One attribute if present, checked for its width and count.
-std::optional<AccessorReader> open(const Document& document, const document::Primitive& in, const std::string& semantic, int low, int high,
-                                   std::size_t count, const std::string& what) {
+std::optional<AccessorReader> open(const Document& document, const document::Primitive& in, const std::string& semantic,
+                                   int low, int high, std::size_t count, const std::string& what) {
   const auto found = in.attributes.find(semantic);
   if (found == in.attributes.end()) return {};
   std::optional<AccessorReader> reader(std::in_place, document, found->second, what + "." + semantic);
   if (reader->width() < low || reader->width() > high)
-    refuse(what + "." + semantic + " has " + std::to_string(reader->width()) + " components; " + std::to_string(low) + " are expected");
+    refuse(what + "." + semantic + " has " + std::to_string(reader->width()) + " components; " + std::to_string(low) +
+           " are expected");
   if (count && reader->count() != count)
-    refuse(what + "." + semantic + " has " + std::to_string(reader->count()) + " elements; POSITION has " + std::to_string(count));
+    refuse(what + "." + semantic + " has " + std::to_string(reader->count()) + " elements; POSITION has " +
+           std::to_string(count));
   return reader;
 }
 
@@ -107,7 +118,8 @@ glm::vec3 unitOrZero(const glm::vec3& v) {
 
 }  // namespace
 
-std::optional<Primitive> importPrimitive(const Document& document, const document::Primitive& in, const std::string& what, Warnings& warnings) {
+std::optional<Primitive> importPrimitive(const Document& document, const document::Primitive& in,
+                                         const std::string& what, Warnings& warnings) {
   if (in.mode < kTriangles) {
     warnings.add("points and lines are not drawn and were left out");
     return {};
@@ -122,9 +134,11 @@ std::optional<Primitive> importPrimitive(const Document& document, const documen
   const auto normals = open(document, in, "NORMAL", 3, 3, count, what);
   const auto tangents = normals ? open(document, in, "TANGENT", 4, 4, count, what) : std::nullopt;
   const auto colors = open(document, in, "COLOR_0", 3, 4, count, what);
-  int set = in.material == kNone ? kNone : uvSet(document.materials[in.material], element("materials", in.material), warnings);
+  int set = in.material == kNone ? kNone
+                                 : uvSet(document.materials[in.material], element("materials", in.material), warnings);
   const auto uvs = open(document, in, "TEXCOORD_" + std::to_string(std::max(set, 0)), 2, 2, count, what);
-  if (set != kNone && !uvs) warnings.add(what + " has no TEXCOORD_" + std::to_string(set) + ", which its material reads; it gets 0, 0");
+  if (set != kNone && !uvs)
+    warnings.add(what + " has no TEXCOORD_" + std::to_string(set) + ", which its material reads; it gets 0, 0");
 
   Primitive out;
   out.material = in.material;
@@ -141,6 +155,7 @@ std::optional<Primitive> importPrimitive(const Document& document, const documen
     for (std::size_t i = 0; i < out.indices.size(); ++i) out.indices[i] = static_cast<std::uint32_t>(i);
   }
   out.vertices.resize(source.size());
+  bool clamped = false;
   for (std::size_t i = 0; i < source.size(); ++i) {
     Vertex& v = out.vertices[i];
     const std::uint32_t s = source[i];
@@ -148,10 +163,15 @@ std::optional<Primitive> importPrimitive(const Document& document, const documen
     v.normal = normals ? unitOrZero(normals->vector(s)) : glm::vec3(0);
     if (uvs) v.uv = uvs->vector(s);
     if (colors) v.color = colors->vector(s, glm::vec4(1), colors->componentType() != 5126);
+    const glm::vec4 color = glm::clamp(v.color, 0.0f, 1.0f);
+    clamped = clamped || color != v.color;
+    v.color = color;
     out.bounds.add(v.position);
   }
+  if (clamped) warnings.add(what + ".COLOR_0 leaves 0..1; the nearest is used");
   const std::size_t repaired = repairNormals(out);
-  if (normals && repaired) warnings.add(what + " has " + std::to_string(repaired) + " zero normals; they were made from its triangles");
+  if (normals && repaired)
+    warnings.add(what + " has " + std::to_string(repaired) + " zero normals; they were made from its triangles");
   computeTangents(out);
   for (std::size_t i = 0; tangents && i < source.size(); ++i) {
     const glm::vec4 t = tangents->vector(source[i]);
@@ -180,7 +200,8 @@ void importMeshes(const Document& document, Scene& scene, Warnings& warnings) {
       const auto position = p.attributes.find("POSITION");
       if (p.mode < kTriangles || position == p.attributes.end()) continue;
       const std::size_t positions = document.accessors[position->second].count;
-      const std::size_t corners = (p.indices == kNone ? positions : document.accessors[p.indices].count) * (p.mode == kTriangles ? 1 : 3);
+      const std::size_t corners =
+          (p.indices == kNone ? positions : document.accessors[p.indices].count) * (p.mode == kTriangles ? 1 : 3);
       indices += corners;
       vertices += p.attributes.contains("NORMAL") ? std::min(corners, positions) : corners;
     }
@@ -190,7 +211,8 @@ void importMeshes(const Document& document, Scene& scene, Warnings& warnings) {
   for (const int m : order) {
     Mesh mesh{document.meshes[m].name, {}};
     for (std::size_t p = 0; p < document.meshes[m].primitives.size(); ++p) {
-      auto primitive = importPrimitive(document, document.meshes[m].primitives[p], element("meshes", m) + "." + element("primitives", p), warnings);
+      auto primitive = importPrimitive(document, document.meshes[m].primitives[p],
+                                       element("meshes", m) + "." + element("primitives", p), warnings);
       if (primitive) mesh.primitives.push_back(std::move(*primitive));
     }
     scene.meshes.push_back(std::move(mesh));

@@ -14,7 +14,8 @@ std::vector<std::int32_t> parents(const Document& document) {
   for (std::size_t i = 0; i < document.nodes.size(); ++i) {
     for (const int child : document.nodes[i].children) {
       if (parentOf[child] != kNone)
-        refuse(element("nodes", child) + " is listed as a child twice, by nodes " + std::to_string(parentOf[child]) + " and " + std::to_string(i));
+        refuse(element("nodes", child) + " is listed as a child twice, by nodes " + std::to_string(parentOf[child]) +
+               " and " + std::to_string(i));
       parentOf[child] = static_cast<std::int32_t>(i);
     }
   }
@@ -41,7 +42,8 @@ void repairTransform(Node& n, const std::string& name, Warnings& warnings) {
   if (n.matrix) {
     glm::mat4& m = *n.matrix;
     const glm::vec4 last(m[0][3], m[1][3], m[2][3], m[3][3]);
-    if (glm::any(glm::greaterThan(glm::abs(last - glm::vec4(0, 0, 0, 1)), glm::vec4(1e-4f)))) refuse(name + ".matrix is not affine");
+    if (glm::any(glm::greaterThan(glm::abs(last - glm::vec4(0, 0, 0, 1)), glm::vec4(1e-4f))))
+      refuse(name + ".matrix is not affine");
     for (int column = 0; column < 4; ++column) m[column][3] = column == 3 ? 1.0f : 0.0f;
     return;
   }
@@ -55,7 +57,8 @@ void repairTransform(Node& n, const std::string& name, Warnings& warnings) {
   }
   if (std::abs(length - 1) > 0.01) warnings.add(name + ".rotation is not a unit quaternion; it was normalised");
   const glm::dquat unit = q / length;
-  n.rotation = glm::quat(static_cast<float>(unit.w), static_cast<float>(unit.x), static_cast<float>(unit.y), static_cast<float>(unit.z));
+  n.rotation = glm::quat(static_cast<float>(unit.w), static_cast<float>(unit.x), static_cast<float>(unit.y),
+                         static_cast<float>(unit.z));
 }
 
 /// Cameras and lights, copied on first use.
@@ -93,7 +96,8 @@ struct Attachments {
     if (out == kNone) {
       Light l = document.lights[index];
       if (l.kind == LightKind::kSpot && l.innerConeAngle >= l.outerConeAngle) {
-        warnings.add(element("lights", index) + " has an inner cone that is not inside its outer cone; the inner one was shrunk");
+        warnings.add(element("lights", index) +
+                     " has an inner cone that is not inside its outer cone; the inner one was shrunk");
         l.outerConeAngle = std::max(l.outerConeAngle, 1e-3f);
         l.innerConeAngle = 0.99f * l.outerConeAngle;
       }

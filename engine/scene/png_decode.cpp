@@ -62,7 +62,9 @@ bool readRows(png_structp png, png_infop info, png_bytepp rows) {
 
 Result<Image> decodePng(std::span<const std::byte> bytes, std::uint64_t maxPixels) {
   Source source{bytes};
-  const auto damaged = [&] { return failed(std::string("is a damaged PNG: libpng: ") + (*source.message ? source.message : "out of memory")); };
+  const auto damaged = [&] {
+    return failed(std::string("is a damaged PNG: libpng: ") + (*source.message ? source.message : "out of memory"));
+  };
   Decoder decoder;
   decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, onError, onWarning);
   decoder.info = decoder.png ? png_create_info_struct(decoder.png) : nullptr;

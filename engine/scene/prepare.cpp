@@ -24,7 +24,8 @@ Json parse(std::string_view text) {
     return Json::parse(text);
   } catch (const Json::exception& error) {
     std::string_view what = error.what();
-    if (const std::size_t end = what.find("] "); what.starts_with("[json") && end != std::string_view::npos) what.remove_prefix(end + 2);
+    if (const std::size_t end = what.find("] "); what.starts_with("[json") && end != std::string_view::npos)
+      what.remove_prefix(end + 2);
     refuse("its JSON is broken: " + oneLine(what));
   }
 }
@@ -36,13 +37,15 @@ std::pair<int, int> version(const std::string& text, const char* what) {
   const auto major = std::from_chars(text.data(), end, v.first);
   const bool dotted = major.ec == std::errc{} && major.ptr != end && *major.ptr == '.';
   const auto minor = dotted ? std::from_chars(major.ptr + 1, end, v.second) : major;
-  if (!dotted || minor.ec != std::errc{} || minor.ptr != end) refuse(std::string(what) + " is " + inQuotes(text) + "; glTF 2.0 is read");
+  if (!dotted || minor.ec != std::errc{} || minor.ptr != end)
+    refuse(std::string(what) + " is " + inQuotes(text) + "; glTF 2.0 is read");
   return v;
 }
 
 void checkVersion(const Json& document) {
   const Json& asset = document["asset"];
-  if (asset.contains("minVersion") && version(asset["minVersion"].get<std::string>(), "asset.minVersion") > std::pair{2, 0})
+  if (asset.contains("minVersion") &&
+      version(asset["minVersion"].get<std::string>(), "asset.minVersion") > std::pair{2, 0})
     refuse("asset.minVersion is " + inQuotes(asset["minVersion"].get<std::string>()) + "; glTF 2.0 is read");
   if (version(asset["version"].get<std::string>(), "asset.version").first != 2)
     refuse("asset.version is " + inQuotes(asset["version"].get<std::string>()) + "; glTF 2.0 is read");
@@ -50,10 +53,12 @@ void checkVersion(const Json& document) {
 
 void checkExtensions(const Json& document, Warnings& warnings) {
   for (const Json& name : document.value("extensionsRequired", Json::array()))
-    if (!supported(name.get<std::string>())) refuse("requires the extension " + inQuotes(name.get<std::string>()) + ", which is not supported");
+    if (!supported(name.get<std::string>()))
+      refuse("requires the extension " + inQuotes(name.get<std::string>()) + ", which is not supported");
   std::string ignored;
   for (const Json& name : document.value("extensionsUsed", Json::array()))
-    if (!supported(name.get<std::string>())) ignored += (ignored.empty() ? "" : ", ") + oneLine(name.get<std::string>());
+    if (!supported(name.get<std::string>()))
+      ignored += (ignored.empty() ? "" : ", ") + oneLine(name.get<std::string>());
   if (!ignored.empty()) warnings.add("extensions without effect here: " + oneLine(ignored));
 }
 
@@ -61,13 +66,15 @@ void checkViews(const Json& document) {
   if (!document.contains("bufferViews")) return;
   const Json& views = document["bufferViews"];
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const std::uint64_t end = views[i].value("byteOffset", std::uint64_t{0}) + views[i]["byteLength"].get<std::uint64_t>();
+    const std::uint64_t end =
+        views[i].value("byteOffset", std::uint64_t{0}) + views[i]["byteLength"].get<std::uint64_t>();
     if (const int stride = views[i].value("byteStride", 0); stride % 4)
       refuse(element("bufferViews", i) + ".byteStride is " + std::to_string(stride) + "; it must be a multiple of 4");
     const std::size_t buffer = views[i]["buffer"].get<std::size_t>();
     const std::uint64_t size = document["buffers"][buffer]["byteLength"].get<std::uint64_t>();
     if (end > size)
-      refuse(element("bufferViews", i) + " ends at byte " + std::to_string(end) + "; " + element("buffers", buffer) + " has " + std::to_string(size));
+      refuse(element("bufferViews", i) + " ends at byte " + std::to_string(end) + "; " + element("buffers", buffer) +
+             " has " + std::to_string(size));
   }
 }
 
@@ -76,8 +83,10 @@ void adapt(Json& document, Warnings& warnings) {
   if (document.contains("cameras")) {
     for (std::size_t i = 0; i < document["cameras"].size(); ++i) {
       Json& camera = document["cameras"][i];
-      if (camera["type"] == "orthographic") camera["orthographic"] = {{"xmag", 1.0}, {"ymag", 1.0}, {"znear", 0.1}, {"zfar", 1.0}};
-      else if (!camera.contains("perspective")) refuse(element("cameras", i) + ".perspective is missing");
+      if (camera["type"] == "orthographic")
+        camera["orthographic"] = {{"xmag", 1.0}, {"ymag", 1.0}, {"znear", 0.1}, {"zfar", 1.0}};
+      else if (!camera.contains("perspective"))
+        refuse(element("cameras", i) + ".perspective is missing");
     }
   }
   const Json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
@@ -100,17 +109,22 @@ void adapt(Json& document, Warnings& warnings) {
       if (channel["sampler"].get<std::size_t>() >= animation["samplers"].size())
         refuse(element("animations", a) + " has a channel with sampler " + channel["sampler"].dump() + "; there are " +
                std::to_string(animation["samplers"].size()));
-      if (channel["target"].contains("node")) kept.push_back(std::move(channel));
-      else warnings.add(element("animations", a) + " has channels without a node; they were left out");
+      if (channel["target"].contains("node"))
+        kept.push_back(std::move(channel));
+      else
+        warnings.add(element("animations", a) + " has channels without a node; they were left out");
     }
     animation["channels"] = std::move(kept);
   }
   for (std::size_t m = 0; document.contains("meshes") && m < document["meshes"].size(); ++m) {
     Json kept = Json::array();
     for (Json& primitive : document["meshes"][m]["primitives"]) {
-      const bool unusable = primitive.contains("indices") && !document["accessors"][primitive["indices"].get<std::size_t>()].contains("bufferView");
-      if (unusable) warnings.add(element("meshes", m) + " has indices without a buffer view; that part was left out");
-      else kept.push_back(std::move(primitive));
+      const bool unusable = primitive.contains("indices") &&
+                            !document["accessors"][primitive["indices"].get<std::size_t>()].contains("bufferView");
+      if (unusable)
+        warnings.add(element("meshes", m) + " has indices without a buffer view; that part was left out");
+      else
+        kept.push_back(std::move(primitive));
     }
     document["meshes"][m]["primitives"] = std::move(kept);
   }
@@ -161,7 +175,8 @@ struct Fetcher {
         continue;
       }
       if (bytes.size() < announced)
-        refuse(name + " announces " + std::to_string(announced) + " bytes; " + std::to_string(bytes.size()) + " are there");
+        refuse(name + " announces " + std::to_string(announced) + " bytes; " + std::to_string(bytes.size()) +
+               " are there");
       bytes.resize(announced);
       buffer = {{"byteLength", announced}, {"uri", "buffer/" + std::to_string(i)}};
       out.buffers.push_back(std::move(bytes));
@@ -179,7 +194,8 @@ struct Fetcher {
       if (image.contains("name")) name += " " + inQuotes(image["name"].get<std::string>());
       std::vector<std::byte> bytes;
       if (shown.contains(i)) {
-        if (image.contains("uri") == image.contains("bufferView")) refuse(name + " needs either a URI or a buffer view");
+        if (image.contains("uri") == image.contains("bufferView"))
+          refuse(name + " needs either a URI or a buffer view");
         if (image.contains("uri")) {
           bytes = resources.load(image["uri"].get_ref<const std::string&>(), name);
           const auto& uri = image["uri"].get_ref<const std::string&>();
@@ -201,13 +217,15 @@ struct Fetcher {
     const auto& buffer = out.buffers[view["buffer"].get<std::size_t>()];
     const std::size_t offset = view.value("byteOffset", std::size_t{0}), length = view["byteLength"].get<std::size_t>();
     if (offset + length > buffer.size()) refuse(name + " lies in a buffer whose bytes are absent");
-    return {buffer.begin() + static_cast<std::ptrdiff_t>(offset), buffer.begin() + static_cast<std::ptrdiff_t>(offset + length)};
+    return {buffer.begin() + static_cast<std::ptrdiff_t>(offset),
+            buffer.begin() + static_cast<std::ptrdiff_t>(offset + length)};
   }
 };
 
 }  // namespace
 
-Prepared prepare(const Container& container, const std::filesystem::path& path, std::uint64_t fileSize, Warnings& warnings) {
+Prepared prepare(const Container& container, const std::filesystem::path& path, std::uint64_t fileSize,
+                 Warnings& warnings) {
   const Json raw = parse(container.json);
   if (!raw.is_object()) refuse("its JSON is not an object");
   Json document = checked(raw, gltfSchema(), raw, "", warnings);

@@ -21,6 +21,7 @@ struct Prepared {
 };
 
 /// `fileSize`: counts towards kMaxFileBytes.
-Prepared prepare(const Container& container, const std::filesystem::path& path, std::uint64_t fileSize, Warnings& warnings);
+Prepared prepare(const Container& container, const std::filesystem::path& path, std::uint64_t fileSize,
+                 Warnings& warnings);
 
 }  // namespace tyndall::scene

@@ -17,7 +17,8 @@ std::array<std::uint8_t, 256> base64Table() {
   std::array<std::uint8_t, 256> table;
   table.fill(kBad);
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < kAlphabet.size(); ++i) table[static_cast<unsigned char>(kAlphabet[i])] = static_cast<std::uint8_t>(i);
+  for (std::size_t i = 0; i < kAlphabet.size(); ++i)
+    table[static_cast<unsigned char>(kAlphabet[i])] = static_cast<std::uint8_t>(i);
   return table;
 }
 
@@ -38,7 +39,8 @@ bool hasScheme(std::string_view uri) {
 bool isDataUri(std::string_view uri) {
   if (uri.size() < 5) return false;
   std::string head(uri.substr(0, 5));
-  std::transform(head.begin(), head.end(), head.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(head.begin(), head.end(), head.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return head == "data:";
 }
 

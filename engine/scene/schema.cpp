@@ -64,8 +64,8 @@ std::int64_t checkedInteger(const Json& value, const Place& at) {
 /// "name" is an array of the document; "extension.name" one of an extension's object at its root.
 std::size_t arraySize(const Json& document, const std::string& name) {
   const std::size_t dot = name.find('.');
-  const Json::json_pointer pointer(dot == std::string::npos ? "/" + name
-                                                            : "/extensions/" + name.substr(0, dot) + "/" + name.substr(dot + 1));
+  const Json::json_pointer pointer(
+      dot == std::string::npos ? "/" + name : "/extensions/" + name.substr(0, dot) + "/" + name.substr(dot + 1));
   if (!document.contains(pointer)) return 0;
   const Json& array = document[pointer];
   return array.is_array() ? array.size() : 0;
@@ -84,7 +84,8 @@ void checkItems(const Json& value, const Place& at) {
   if (!value.is_array()) refuse(at.path + " is not an array");
   const Property& p = at.property;
   if (value.size() >= p.minItems && value.size() <= p.maxItems) return;
-  const std::string wanted = p.minItems == p.maxItems ? std::to_string(p.minItems) : "at most " + std::to_string(p.maxItems);
+  const std::string wanted =
+      p.minItems == p.maxItems ? std::to_string(p.minItems) : "at most " + std::to_string(p.maxItems);
   refuse(at.path + " has " + std::to_string(value.size()) + " elements; " + wanted + " are expected");
 }
 
@@ -136,7 +137,8 @@ Json checkedValue(const Json& value, const Place& at) {
 
 }  // namespace
 
-Json checked(const Json& value, const Schema& schema, const Json& document, const std::string& path, Warnings& warnings) {
+Json checked(const Json& value, const Schema& schema, const Json& document, const std::string& path,
+             Warnings& warnings) {
   if (!value.is_object()) refuse((path.empty() ? "its JSON" : path) + " is not an object");
   Json out = Json::object();
   for (const Property& property : schema.properties) {

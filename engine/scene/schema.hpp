@@ -15,7 +15,19 @@ namespace tyndall::scene {
 
 using Json = nlohmann::json;
 
-enum class Kind { kBoolean, kString, kNumber, kInteger, kIndex, kNumbers, kIndices, kStrings, kAttributes, kObject, kObjects };
+enum class Kind {
+  kBoolean,
+  kString,
+  kNumber,
+  kInteger,
+  kIndex,
+  kNumbers,
+  kIndices,
+  kStrings,
+  kAttributes,
+  kObject,
+  kObjects
+};
 
 struct Schema;
 
@@ -25,8 +37,8 @@ struct Property {
   bool required = false;
   double low = -std::numeric_limits<float>::max();  ///< of numbers, integers and the elements of arrays
   double high = std::numeric_limits<float>::max();
-  bool clamp = false;              ///< out of range is repaired with a warning instead of refused
-  std::size_t minItems = 0;        ///< of arrays
+  bool clamp = false;        ///< out of range is repaired with a warning instead of refused
+  std::size_t minItems = 0;  ///< of arrays
   std::size_t maxItems = std::numeric_limits<std::size_t>::max();
   const char* array = nullptr;     ///< kIndex, kIndices, kAttributes: the array of the document that is pointed into
   const char* choices = nullptr;   ///< kString, kInteger: allowed values, separated by '|'
@@ -38,9 +50,10 @@ struct Schema {
 };
 
 /// A copy of `value` with only the properties of `schema`, each of the right type and in range; integers written as
-/// floats become integers. Refuses with the path of the first offender, such as "nodes[3].mesh is 7; there are 5 meshes".
-/// `document` is where indices point into; `path` names `value` and is empty for the document itself.
-Json checked(const Json& value, const Schema& schema, const Json& document, const std::string& path, Warnings& warnings);
+/// floats become integers. Refuses with the path of the first offender, such as "nodes[3].mesh is 7; there are 5
+/// meshes". `document` is where indices point into; `path` names `value` and is empty for the document itself.
+Json checked(const Json& value, const Schema& schema, const Json& document, const std::string& path,
+             Warnings& warnings);
 
 /// What the importer reads of a glTF document.
 const Schema& gltfSchema();

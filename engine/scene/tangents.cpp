@@ -17,7 +17,9 @@ glm::dvec3 areaNormal(const Primitive& p, std::size_t triangle) {
 glm::vec3 perpendicular(const glm::vec3& n) {
   // Across the axis along which n is shortest, so that the cross product is never near zero.
   const glm::vec3 a = glm::abs(n);
-  const glm::vec3 axis = a.x <= a.y && a.x <= a.z ? glm::vec3(1, 0, 0) : a.y <= a.z ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1);
+  const glm::vec3 axis = a.x <= a.y && a.x <= a.z ? glm::vec3(1, 0, 0)
+                         : a.y <= a.z             ? glm::vec3(0, 1, 0)
+                                                  : glm::vec3(0, 0, 1);
   return glm::normalize(glm::cross(axis, n));
 }
 
@@ -47,7 +49,8 @@ void computeTangents(Primitive& p) {
   for (std::size_t t = 0; t < p.indices.size() / 3; ++t) {
     const std::uint32_t* corner = &p.indices[3 * t];
     const Vertex &a = p.vertices[corner[0]], &b = p.vertices[corner[1]], &c = p.vertices[corner[2]];
-    const glm::dvec3 e1 = glm::dvec3(b.position) - glm::dvec3(a.position), e2 = glm::dvec3(c.position) - glm::dvec3(a.position);
+    const glm::dvec3 e1 = glm::dvec3(b.position) - glm::dvec3(a.position),
+                     e2 = glm::dvec3(c.position) - glm::dvec3(a.position);
     const glm::dvec2 d1 = glm::dvec2(b.uv) - glm::dvec2(a.uv), d2 = glm::dvec2(c.uv) - glm::dvec2(a.uv);
     const double area = d1.x * d2.y - d2.x * d1.y;
     if (area == 0) continue;
@@ -63,7 +66,8 @@ void computeTangents(Primitive& p) {
     const glm::dvec3 n(p.vertices[i].normal);
     const glm::dvec3 t = along[i] - n * glm::dot(n, along[i]);
     const double length = std::sqrt(glm::dot(t, t));
-    const bool usable = length > 1e-200 && std::isfinite(length) && length > 1e-6 * std::sqrt(glm::dot(along[i], along[i]));
+    const bool usable =
+        length > 1e-200 && std::isfinite(length) && length > 1e-6 * std::sqrt(glm::dot(along[i], along[i]));
     const glm::vec3 direction = usable ? glm::vec3(t / length) : perpendicular(p.vertices[i].normal);
     const bool mirrored = usable && glm::dot(glm::cross(n, t), across[i]) < 0;
     p.vertices[i].tangent = glm::vec4(direction, mirrored ? -1.0f : 1.0f);

@@ -28,13 +28,15 @@ std::vector<CameraView> placedCameras(const Scene& scene, const std::vector<glm:
   std::vector<std::size_t> nodes;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i)
     if (scene.nodes[i].camera != kNone) nodes.push_back(i);
-  std::stable_sort(nodes.begin(), nodes.end(), [&](std::size_t a, std::size_t b) { return scene.nodes[a].order < scene.nodes[b].order; });
+  std::stable_sort(nodes.begin(), nodes.end(),
+                   [&](std::size_t a, std::size_t b) { return scene.nodes[a].order < scene.nodes[b].order; });
   std::vector<CameraView> out;
   for (const std::size_t i : nodes) {
     const glm::mat4& m = worldFromNode[i];
     const Camera& camera = scene.cameras[scene.nodes[i].camera];
     const glm::vec3 forward = unitOr(-glm::vec3(m[2]), {0, 0, -1}), up = unitOr(glm::vec3(m[1]), {0, 1, 0});
-    out.push_back({lookFrom(glm::vec3(m[3]), forward, up), camera, scene.nodes[i].name.empty() ? camera.name : scene.nodes[i].name});
+    out.push_back({lookFrom(glm::vec3(m[3]), forward, up), camera,
+                   scene.nodes[i].name.empty() ? camera.name : scene.nodes[i].name});
   }
   return out;
 }
@@ -45,7 +47,8 @@ CameraView framingCamera(const Bounds& bounds) {
   const Bounds box = bounds.empty() ? Bounds{glm::vec3(-1), glm::vec3(1)} : bounds;
   const glm::vec3 centre = 0.5f * box.min + 0.5f * box.max;
   const glm::vec3 half = glm::max(0.5f * (box.max - box.min), glm::vec3(1e-3f));
-  const glm::vec3 backward(std::sin(kAzimuth) * std::cos(kElevation), std::sin(kElevation), std::cos(kAzimuth) * std::cos(kElevation));
+  const glm::vec3 backward(std::sin(kAzimuth) * std::cos(kElevation), std::sin(kElevation),
+                           std::cos(kAzimuth) * std::cos(kElevation));
   CameraView view;
   view.worldFromView = lookFrom(glm::vec3(0), -backward, {0, 1, 0});
   // Just far enough for all eight corners, in a picture at least as wide as high.
@@ -68,7 +71,8 @@ std::vector<LightView> placedLights(const Scene& scene, const std::vector<glm::m
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].light == kNone) continue;
     const glm::mat4& m = worldFromNode[i];
-    out.push_back({scene.lights[scene.nodes[i].light], glm::vec3(m[3]), unitOr(-glm::vec3(m[2]), {0, 0, -1}), static_cast<std::int32_t>(i)});
+    out.push_back({scene.lights[scene.nodes[i].light], glm::vec3(m[3]), unitOr(-glm::vec3(m[2]), {0, 0, -1}),
+                   static_cast<std::int32_t>(i)});
   }
   return out;
 }

@@ -25,9 +25,11 @@ glm::vec4 sample(const AnimationChannel& channel, float time) {
   const float duration = times[next] - times[previous];
   const float t = (time - times[previous]) / duration;
   if (cubic) {
-    const glm::vec4 outTangent = channel.values[3 * previous + 2] * duration, inTangent = channel.values[3 * next] * duration;
+    const glm::vec4 outTangent = channel.values[3 * previous + 2] * duration,
+                    inTangent = channel.values[3 * next] * duration;
     const float t2 = t * t, t3 = t2 * t;
-    return (2 * t3 - 3 * t2 + 1) * value(previous) + (t3 - 2 * t2 + t) * outTangent + (3 * t2 - 2 * t3) * value(next) + (t3 - t2) * inTangent;
+    return (2 * t3 - 3 * t2 + 1) * value(previous) + (t3 - 2 * t2 + t) * outTangent + (3 * t2 - 2 * t3) * value(next) +
+           (t3 - t2) * inTangent;
   }
   if (channel.target != AnimationTarget::kRotation) return glm::mix(value(previous), value(next), t);
   return xyzw(glm::slerp(quaternion(value(previous)), quaternion(value(next)), t));  // glm takes the shorter way
@@ -47,9 +49,12 @@ void apply(const Animation& animation, double seconds, std::vector<Pose>& poses)
   for (const AnimationChannel& channel : animation.channels) {
     const glm::vec4 value = sample(channel, static_cast<float>(time));
     Pose& pose = poses[channel.node];
-    if (channel.target == AnimationTarget::kTranslation) pose.translation = value;
-    else if (channel.target == AnimationTarget::kScale) pose.scale = value;
-    else if (glm::dot(value, value) > 0) pose.rotation = glm::normalize(quaternion(value));  // a spline leaves the unit sphere
+    if (channel.target == AnimationTarget::kTranslation)
+      pose.translation = value;
+    else if (channel.target == AnimationTarget::kScale)
+      pose.scale = value;
+    else if (glm::dot(value, value) > 0)
+      pose.rotation = glm::normalize(quaternion(value));  // a spline leaves the unit sphere
   }
 }
 

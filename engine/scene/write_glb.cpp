@@ -31,7 +31,8 @@ struct Writer {
   const Scene& scene;
   GlbBuilder binary;
   std::set<std::string> extensions;
-  std::vector<int> meshOfScene;  ///< index in the file of each mesh; kNone for one without triangles, which glTF forbids
+  std::vector<int>
+      meshOfScene;  ///< index in the file of each mesh; kNone for one without triangles, which glTF forbids
 
   template <int N, class Member>
   int attribute(const Primitive& p, Member member, bool withBounds = false) {
@@ -42,7 +43,8 @@ struct Writer {
   }
 
   Json primitive(const Primitive& p) {
-    Json attributes = {{"POSITION", attribute<3>(p, &Vertex::position, true)}, {"NORMAL", attribute<3>(p, &Vertex::normal)}};
+    Json attributes = {{"POSITION", attribute<3>(p, &Vertex::position, true)},
+                       {"NORMAL", attribute<3>(p, &Vertex::normal)}};
     const bool normalMapped = p.material != kNone && scene.materials[p.material].normalTexture.used();
     bool hasUv = false, hasColor = false;
     for (const Vertex& v : p.vertices) {
@@ -72,7 +74,8 @@ struct Writer {
     return out;
   }
 
-  void texture(Json& parent, const char* key, const TextureUse& use, const char* factorKey = nullptr, float factor = 1) {
+  void texture(Json& parent, const char* key, const TextureUse& use, const char* factorKey = nullptr,
+               float factor = 1) {
     if (!use.used()) return;
     Json object = {{"index", use.texture}};
     if (factorKey && factor != 1) object[factorKey] = factor;
@@ -136,7 +139,9 @@ struct Writer {
     Json out = Json::array();
     for (const Light& light : scene.lights) {
       static constexpr const char* kTypes[] = {"directional", "spot", "point"};
-      Json object = {{"type", kTypes[static_cast<int>(light.kind)]}, {"color", list<3>(light.color)}, {"intensity", light.intensity}};
+      Json object = {{"type", kTypes[static_cast<int>(light.kind)]},
+                     {"color", list<3>(light.color)},
+                     {"intensity", light.intensity}};
       name(object, light.name);
       if (light.range && light.kind != LightKind::kDirectional) object["range"] = *light.range;
       if (light.kind == LightKind::kSpot)
@@ -254,7 +259,9 @@ Result<std::vector<std::byte>> Writer::write() {
 }  // namespace
 
 Result<void> writeGlb(const Scene& scene, const std::filesystem::path& path) {
-  const auto prefixed = [&](const Error& error) { return failed(path.string() + ": cannot be written: " + error.message); };
+  const auto prefixed = [&](const Error& error) {
+    return failed(path.string() + ": cannot be written: " + error.message);
+  };
   if (auto sound = checkScene(scene, false); !sound) return prefixed(sound.error());
   Writer writer{scene, {}, {}, {}};
   auto file = writer.write();

@@ -64,7 +64,8 @@ TEST(Animation, LinearStepAndEnds) {
 }
 
 TEST(Animation, LoopsByItsDuration) {
-  const Scene s = oneNode({0, AnimationTarget::kTranslation, Interpolation::kLinear, {0, 2}, {{0, 0, 0, 0}, {2, 0, 0, 0}}}, 2);
+  const Scene s =
+      oneNode({0, AnimationTarget::kTranslation, Interpolation::kLinear, {0, 2}, {{0, 0, 0, 0}, {2, 0, 0, 0}}}, 2);
   for (const double t : {0.5, 2.5, 200.5, -1.5}) EXPECT_NEAR(translationAt(s, t).x, 0.5, 1e-5) << t;
 }
 
@@ -72,15 +73,25 @@ TEST(Animation, CubicSplineReproducesACubic) {
   // A Hermite segment with the true end slopes is the cubic itself: x(t) = t^3 - 2t, x' = 3t^2 - 2, on [1, 3].
   const auto x = [](float t) { return t * t * t - 2 * t; };
   const auto slope = [](float t) { return 3 * t * t - 2; };
-  const Scene s = oneNode({0, AnimationTarget::kTranslation, Interpolation::kCubicSpline, {1, 3},
-                           {{99, 0, 0, 0}, {x(1), 0, 0, 0}, {slope(1), 0, 0, 0}, {slope(3), 0, 0, 0}, {x(3), 0, 0, 0}, {99, 0, 0, 0}}}, 3);
+  const Scene s = oneNode(
+      {0,
+       AnimationTarget::kTranslation,
+       Interpolation::kCubicSpline,
+       {1, 3},
+       {{99, 0, 0, 0}, {x(1), 0, 0, 0}, {slope(1), 0, 0, 0}, {slope(3), 0, 0, 0}, {x(3), 0, 0, 0}, {99, 0, 0, 0}}},
+      3);
   for (float t = 1; t < 3; t += 0.125f) EXPECT_NEAR(translationAt(s, t).x, x(t), 1e-4f) << t;
 }
 
 TEST(Animation, RotationTurnsEvenlyTheShorterWay) {
   // From 0 to 90 degrees about y, the second quaternion with the opposite sign: still the shorter way.
   const float h = kPi / 4;
-  const Scene s = oneNode({0, AnimationTarget::kRotation, Interpolation::kLinear, {0, 1}, {{0, 0, 0, 1}, {0, -std::sin(h), 0, -std::cos(h)}}}, 2);
+  const Scene s = oneNode({0,
+                           AnimationTarget::kRotation,
+                           Interpolation::kLinear,
+                           {0, 1},
+                           {{0, 0, 0, 1}, {0, -std::sin(h), 0, -std::cos(h)}}},
+                          2);
   for (float t = 0; t <= 1; t += 0.125f) {
     const glm::vec3 x(worldMatrices(s, t)[0][0]);
     const float angle = t * kPi / 2;
@@ -94,8 +105,9 @@ TEST(Animation, ReadFromAFileWithItsDefects) {
   const int input = f.floats({0, 1, 1, 2}, "SCALAR");  // the third key does not advance
   const int output = f.floats({0, 0, 0, 1, 0, 0, 5, 5, 5, 2, 0, 0}, "VEC3");
   f.json["animations"] = {{{"samplers", {{{"input", input}, {"output", output}}}},
-                           {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}},
-                                         {{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
+                           {"channels",
+                            {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}},
+                             {{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
   auto loaded = f.load();
   ASSERT_TRUE(loaded.ok()) << loaded.error().message;
   EXPECT_EQ(loaded->warnings.size(), 2u);

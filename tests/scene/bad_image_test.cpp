@@ -61,8 +61,10 @@ TEST(BadImages, EveryFlippedByteIsNoticedOrHarmless) {
     std::string bad = good;
     bad[i] = static_cast<char>(bad[i] ^ 0x10);
     const auto loaded = level.show(bad);
-    if (loaded.ok()) { EXPECT_TRUE(checkScene(loaded->scene).ok()); }
-    else ++refused;
+    if (loaded.ok()) {
+      EXPECT_TRUE(checkScene(loaded->scene).ok());
+    } else
+      ++refused;
   }
   EXPECT_EQ(refused, static_cast<int>(good.size()));  // every byte here is under a checksum or a magic number
 }
@@ -81,7 +83,8 @@ TEST(BadImages, OtherFormats) {
   EXPECT_NE(level.refusalOf("RIFF????WEBPVP8 ").find("WebP"), std::string::npos);
   EXPECT_NE(level.refusalOf(std::string("\xff\xd8\xff\xe0\0\x10JFIF", 10)).find("JPEG"), std::string::npos);
   std::filesystem::remove(level.folder / "picture");
-  EXPECT_NE(refusal(level.load(), level.folder / "level.gltf").find("\"picture\": cannot be opened"), std::string::npos);
+  EXPECT_NE(refusal(level.load(), level.folder / "level.gltf").find("\"picture\": cannot be opened"),
+            std::string::npos);
 }
 
 TEST(BadImages, UnshownOnesDoNotMatter) {

@@ -70,18 +70,25 @@ TEST(BadFiles, TypesAndIndices) {
   expectRefused("nodes[0].mesh is -1", [](GltfFile& f) { f.json["nodes"][0]["mesh"] = -1; });
   expectRefused("nodes[0].mesh is 0.5", [](GltfFile& f) { f.json["nodes"][0]["mesh"] = 0.5; });
   expectRefused("nodes[0].mesh is 4294967296", [](GltfFile& f) { f.json["nodes"][0]["mesh"] = 4294967296; });
-  expectRefused("nodes[0].matrix has 15 elements", [](GltfFile& f) { f.json["nodes"][0]["matrix"] = std::vector<float>(15, 1); });
+  expectRefused("nodes[0].matrix has 15 elements",
+                [](GltfFile& f) { f.json["nodes"][0]["matrix"] = std::vector<float>(15, 1); });
   expectRefused("nodes[0].translation[1]", [](GltfFile& f) { f.json["nodes"][0]["translation"] = {0, 1e300, 0}; });
-  expectRefused("there are 0 KHR_lights_punctual.lights", [](GltfFile& f) { f.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0; });
-  expectRefused("attributes.POSITION is 9", [](GltfFile& f) { f.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 9; });
+  expectRefused("there are 0 KHR_lights_punctual.lights",
+                [](GltfFile& f) { f.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0; });
+  expectRefused("attributes.POSITION is 9",
+                [](GltfFile& f) { f.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 9; });
   expectRefused("mode is 7", [](GltfFile& f) { f.json["meshes"][0]["primitives"][0]["mode"] = 7; });
   expectRefused("alphaMode is \"\\x0aGLASS\"", [](GltfFile& f) { f.json["materials"] = {{{"alphaMode", "\nGLASS"}}}; });
   expectRefused("scene is 5", [](GltfFile& f) { f.json["scene"] = 5; });
 }
 
 TEST(BadFiles, NodeTrees) {
-  expectRefused("child twice", [](GltfFile& f) { f.json["nodes"] = {{{"children", {2}}}, {{"children", {2}}}, nlohmann::json::object()}; });
-  expectRefused("which is a child of", [](GltfFile& f) { f.json["nodes"] = {{{"children", {1}}}, {{"children", {0}}}}; });
+  expectRefused("child twice", [](GltfFile& f) {
+    f.json["nodes"] = {{{"children", {2}}}, {{"children", {2}}}, nlohmann::json::object()};
+  });
+  expectRefused("which is a child of", [](GltfFile& f) {
+    f.json["nodes"] = {{{"children", {1}}}, {{"children", {0}}}};
+  });
   expectRefused("which is a child of", [](GltfFile& f) { f.json["nodes"] = {{{"children", {0}}}}; });
   expectRefused("twice", [](GltfFile& f) { f.json["scenes"][0]["nodes"] = {0, 0}; });
   expectRefused("not affine", [](GltfFile& f) { f.json["nodes"][0]["matrix"] = std::vector<float>(16, 1); });
@@ -107,10 +114,11 @@ TEST(BadFiles, AccessorsAndViews) {
     f.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", 2000000}});
     f.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 1;
   });
-  expectRefused("more than", [](GltfFile& f) {  // a small file that asks for gigabytes: many parts share one long accessor
-    f.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", 1000000}});
-    f.json["meshes"][0]["primitives"] = std::vector<nlohmann::json>(1000, {{"attributes", {{"POSITION", 1}}}});
-  });
+  expectRefused(
+      "more than", [](GltfFile& f) {  // a small file that asks for gigabytes: many parts share one long accessor
+        f.json["accessors"].push_back({{"componentType", 5126}, {"type", "VEC3"}, {"count", 1000000}});
+        f.json["meshes"][0]["primitives"] = std::vector<nlohmann::json>(1000, {{"attributes", {{"POSITION", 1}}}});
+      });
   expectRefused("POSITION: element 0 is not finite", [](GltfFile& f) { f.bytes.replace(0, 4, "\0\0\xc0\x7f", 4); });
   expectRefused("NORMAL has 2 elements; POSITION has 3", [](GltfFile& f) {
     f.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = f.floats({0, 0, 1, 0, 0, 1}, "VEC3");
@@ -118,12 +126,16 @@ TEST(BadFiles, AccessorsAndViews) {
   expectRefused("indices[2] is 3; there are 3 vertices", [](GltfFile& f) {
     f.json["meshes"][0]["primitives"][0]["indices"] = f.accessor(std::vector<std::uint8_t>{0, 1, 3}, 5121, "SCALAR", 3);
   });
-  expectRefused("not unsigned integers", [](GltfFile& f) { f.json["meshes"][0]["primitives"][0]["indices"] = f.floats({0, 1, 2}, "SCALAR"); });
+  expectRefused("not unsigned integers", [](GltfFile& f) {
+    f.json["meshes"][0]["primitives"][0]["indices"] = f.floats({0, 1, 2}, "SCALAR");
+  });
   expectRefused("strictly increasing", [](GltfFile& f) {
-    const int at = f.accessor(std::vector<std::uint8_t>{2, 1}, 5121, "SCALAR", 2), values = f.floats({0, 0, 0, 0, 0, 0}, "VEC3");
-    f.json["accessors"][0]["sparse"] = {{"count", 2},
-                                        {"indices", {{"bufferView", f.json["accessors"][at]["bufferView"]}, {"componentType", 5121}}},
-                                        {"values", {{"bufferView", f.json["accessors"][values]["bufferView"]}}}};
+    const int at = f.accessor(std::vector<std::uint8_t>{2, 1}, 5121, "SCALAR", 2),
+              values = f.floats({0, 0, 0, 0, 0, 0}, "VEC3");
+    f.json["accessors"][0]["sparse"] = {
+        {"count", 2},
+        {"indices", {{"bufferView", f.json["accessors"][at]["bufferView"]}, {"componentType", 5121}}},
+        {"values", {{"bufferView", f.json["accessors"][values]["bufferView"]}}}};
   });
 }
 
@@ -140,7 +152,9 @@ TEST(BadFiles, Buffers) {
 TEST(BadFiles, NothingOutsideTheFolderIsRead) {
   TemporaryFolder outside;
   const std::string secret = outside.write("secret.bin", std::string(36, '\0')).string();
-  const auto uri = [](const std::string& text) { return [text](GltfFile& f) { f.json["buffers"] = {{{"uri", text}, {"byteLength", 36}}}; }; };
+  const auto uri = [](const std::string& text) {
+    return [text](GltfFile& f) { f.json["buffers"] = {{{"uri", text}, {"byteLength", 36}}}; };
+  };
   expectRefused("absolute", uri(secret));
   expectRefused("absolute", uri("%2Fetc/passwd"));
   expectRefused("outside the level's folder", uri("../" + secret));
@@ -189,12 +203,15 @@ TEST(BadFiles, RequiredExtensions) {
 
 TEST(BadFiles, CamerasAndAnimations) {
   expectRefused("perspective is missing", [](GltfFile& f) { f.json["cameras"] = {{{"type", "perspective"}}}; });
-  expectRefused("yfov is 4", [](GltfFile& f) { f.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 4}, {"znear", 1}}}}}; });
-  expectRefused("znear is 0", [](GltfFile& f) { f.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0}}}}}; });
+  expectRefused("yfov is 4", [](GltfFile& f) {
+    f.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 4}, {"znear", 1}}}}};
+  });
   const auto animate = [](const nlohmann::json& sampler, int channelSampler) {
     return [=](GltfFile& f) {
       f.floats({0, 1}, "SCALAR");
-      f.json["animations"] = {{{"samplers", {sampler}}, {"channels", {{{"sampler", channelSampler}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+      f.json["animations"] = {
+          {{"samplers", {sampler}},
+           {"channels", {{{"sampler", channelSampler}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
     };
   };
   expectRefused("2 are expected", animate({{"input", 1}, {"output", 0}}, 0));

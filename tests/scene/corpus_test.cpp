@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 std::vector<fs::path> files(const fs::path& folder) {
   std::vector<fs::path> out;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb")) out.push_back(entry.path());
+    if (entry.is_regular_file() && (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb"))
+      out.push_back(entry.path());
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -27,7 +28,9 @@ std::set<std::string> validFiles(const fs::path& manifest) {
   for (std::string line; std::getline(in, line);) {
     std::istringstream fields(line);
     std::string path, bytes, errors;
-    if (std::getline(fields, path, '\t') && std::getline(fields, bytes, '\t') && std::getline(fields, errors, '\t') && errors == "0") out.insert(path);
+    if (std::getline(fields, path, '\t') && std::getline(fields, bytes, '\t') && std::getline(fields, errors, '\t') &&
+        errors == "0")
+      out.insert(path);
   }
   return out;
 }
@@ -38,11 +41,11 @@ TEST(Corpus, BadFilesLoadSoundlyOrAreRefused) {
   const std::set<std::string> valid = validFiles(folder / "validator_manifest.tsv");
   // Valid by the letter, and refused with reason.
   const std::set<std::string> exceptions = {
-      "unknown_type.gltf",      // an accessor type, a light type that nobody knows
-      "min_version_valid.gltf", // wants glTF 2.1
-      "non_relative_uri.gltf",  // a network address
-      "perspective_yfov.gltf",  // a field of view beyond pi
-      "named_objects.gltf", "unused_objects.gltf",  // meshes in buffers that are not there
+      "unknown_type.gltf",                              // an accessor type, a light type that nobody knows
+      "min_version_valid.gltf",                         // wants glTF 2.1
+      "non_relative_uri.gltf",                          // a network address
+      "perspective_yfov.gltf",                          // a field of view beyond pi
+      "named_objects.gltf",     "unused_objects.gltf",  // meshes in buffers that are not there
   };
   int loadedCount = 0, refused = 0;
   for (const fs::path& path : files(folder)) {
@@ -53,7 +56,8 @@ TEST(Corpus, BadFilesLoadSoundlyOrAreRefused) {
     if (!loaded.ok()) {
       ++refused;
       refusal(loaded, path);
-      const bool excused = !valid.contains(fs::relative(path, folder).string()) || exceptions.contains(path.filename().string());
+      const bool excused =
+          !valid.contains(fs::relative(path, folder).string()) || exceptions.contains(path.filename().string());
       EXPECT_TRUE(excused) << "valid, but " << loaded.error().message;
       continue;
     }
@@ -75,11 +79,18 @@ struct Content {
 TEST(Corpus, RealLevelsLoadWithTheirContent) {
   const fs::path folder = fs::path(TYNDALL_SHARED_DIR) / "scenes";
   if (!fs::exists(folder)) GTEST_SKIP() << "no " << folder;
-  const std::map<std::string, Content> known = {
-      {"AlphaBlendModeTest.gltf", {61, 0, 0}},   {"Mountains.gltf", {25600, 0, 0}},        {"terrain.glb", {31422, 0, 0}},
-      {"VolumetricFogExample.glb", {360, 0, 1}}, {"comp_fence.glb", {3054, 1, 4}},         {"comp_forest.glb", {76246, 1, 1}},
-      {"comp_kenney_town.glb", {207342, 1, 1}},  {"zdm2.glb", {58772, 0, 0}},              {"japanese_bridge_garden_plain.glb", {21883, 0, 0}},
-      {"Lights.glb", {12, 1, 4}},                {"vr-gallery.glb", {1930, 0, 0}},         {"gltf_KHR_lights_punctual_test.glb", {14, 1, 3}}};
+  const std::map<std::string, Content> known = {{"AlphaBlendModeTest.gltf", {61, 0, 0}},
+                                                {"Mountains.gltf", {25600, 0, 0}},
+                                                {"terrain.glb", {31422, 0, 0}},
+                                                {"VolumetricFogExample.glb", {360, 0, 1}},
+                                                {"comp_fence.glb", {3054, 1, 4}},
+                                                {"comp_forest.glb", {76246, 1, 1}},
+                                                {"comp_kenney_town.glb", {207342, 1, 1}},
+                                                {"zdm2.glb", {58772, 0, 0}},
+                                                {"japanese_bridge_garden_plain.glb", {21883, 0, 0}},
+                                                {"Lights.glb", {12, 1, 4}},
+                                                {"vr-gallery.glb", {1930, 0, 0}},
+                                                {"gltf_KHR_lights_punctual_test.glb", {14, 1, 3}}};
   for (const fs::path& path : files(folder)) {
     const auto begin = std::chrono::steady_clock::now();
     const auto loaded = loadGltf(path);

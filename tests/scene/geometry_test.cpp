@@ -17,7 +17,8 @@ std::pair<double, std::size_t> area(const Scene& s) {
   for (const Mesh& mesh : s.meshes)
     for (const Primitive& p : mesh.primitives)
       for (std::size_t i = 0; i < p.indices.size(); i += 3, ++count) {
-        const glm::dvec3 a(p.vertices[p.indices[i]].position), b(p.vertices[p.indices[i + 1]].position), c(p.vertices[p.indices[i + 2]].position);
+        const glm::dvec3 a(p.vertices[p.indices[i]].position), b(p.vertices[p.indices[i + 1]].position),
+            c(p.vertices[p.indices[i + 2]].position);
         sum += glm::cross(b - a, c - a).z / 2;
       }
   return {sum, count};
@@ -54,7 +55,8 @@ template <class T>
 void indexed(int componentType) {
   GltfFile f;
   const int position = f.floats(kPoints, "VEC3");
-  f.mesh({{"attributes", {{"POSITION", position}}}, {"indices", f.accessor(std::vector<T>{0, 2, 1, 1, 2, 3, 2, 4, 3, 3, 4, 5}, componentType, "SCALAR", 12)}});
+  f.mesh({{"attributes", {{"POSITION", position}}},
+          {"indices", f.accessor(std::vector<T>{0, 2, 1, 1, 2, 3, 2, 4, 3, 3, 4, 5}, componentType, "SCALAR", 12)}});
   const auto [signedArea, count] = area(f.scene());
   EXPECT_EQ(count, 4u);
   EXPECT_NEAR(signedArea, 2, 1e-6);
@@ -69,7 +71,8 @@ TEST(Triangles, MissingNormalsBecomeFlat) {
   GltfFile f;
   // Two triangles at a right angle that share an edge.
   const int position = f.floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC3");
-  f.mesh({{"attributes", {{"POSITION", position}}}, {"indices", f.accessor(std::vector<std::uint8_t>{0, 1, 2, 0, 2, 3}, 5121, "SCALAR", 6)}});
+  f.mesh({{"attributes", {{"POSITION", position}}},
+          {"indices", f.accessor(std::vector<std::uint8_t>{0, 1, 2, 0, 2, 3}, 5121, "SCALAR", 6)}});
   const Scene s = f.scene();
   const Primitive& p = s.meshes[0].primitives[0];
   ASSERT_EQ(p.vertices.size(), 6u);
@@ -81,7 +84,8 @@ TEST(Triangles, MissingNormalsBecomeFlat) {
 
 TEST(Triangles, TangentsFollowTextureCoordinates) {
   GltfFile f;
-  const int position = f.floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3"), normal = f.floats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+  const int position = f.floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3"),
+            normal = f.floats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
   // u grows along +y, v along +x: a mirrored layout. glTF: bitangent = cross(normal, tangent) * w.
   const int uv = f.floats({0, 0, 0, 1, 1, 0}, "VEC2");
   f.mesh({{"attributes", {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}}}});
@@ -98,7 +102,8 @@ TEST(Triangles, UnusedVerticesAreDropped) {
   for (int i = 0; i < 1000; ++i) normals.insert(normals.end(), {0, 0, 1});
   for (int i = 0; i < 9; ++i) points[3 * 500 + i] = std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}[i];
   const int position = f.floats(points, "VEC3"), normal = f.floats(normals, "VEC3");
-  f.mesh({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}}, {"indices", f.accessor(std::vector<std::uint16_t>{500, 501, 502}, 5123, "SCALAR", 3)}});
+  f.mesh({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}},
+          {"indices", f.accessor(std::vector<std::uint16_t>{500, 501, 502}, 5123, "SCALAR", 3)}});
   const Scene s = f.scene();
   EXPECT_EQ(s.meshes[0].primitives[0].vertices.size(), 3u);
   EXPECT_NEAR(area(s).first, 0.5, 1e-6);
@@ -108,10 +113,12 @@ TEST(Triangles, UnusedVerticesAreDropped) {
 TEST(Accessors, SparseReplacesSomeElements) {
   GltfFile f;
   const int position = f.floats(kPoints, "VEC3");
-  const int at = f.accessor(std::vector<std::uint16_t>{1, 4}, 5123, "SCALAR", 2), values = f.floats({0, 1, 5, 2, 0, 6}, "VEC3");
-  f.json["accessors"][position]["sparse"] = {{"count", 2},
-                                             {"indices", {{"bufferView", f.json["accessors"][at]["bufferView"]}, {"componentType", 5123}}},
-                                             {"values", {{"bufferView", f.json["accessors"][values]["bufferView"]}}}};
+  const int at = f.accessor(std::vector<std::uint16_t>{1, 4}, 5123, "SCALAR", 2),
+            values = f.floats({0, 1, 5, 2, 0, 6}, "VEC3");
+  f.json["accessors"][position]["sparse"] = {
+      {"count", 2},
+      {"indices", {{"bufferView", f.json["accessors"][at]["bufferView"]}, {"componentType", 5123}}},
+      {"values", {{"bufferView", f.json["accessors"][values]["bufferView"]}}}};
   f.mesh({{"attributes", {{"POSITION", position}}}});
   const Scene s = f.scene();
   const auto& v = s.meshes[0].primitives[0].vertices;
@@ -123,9 +130,11 @@ TEST(Accessors, SparseReplacesSomeElements) {
 TEST(Accessors, NormalizedIntegersAndStrides) {
   GltfFile f;
   // Shorts with four bytes of stride padding: three shorts and a gap, which glTF wants for alignment.
-  const int position = f.accessor(std::vector<std::int16_t>{0, 0, 0, 99, 32767, 0, 0, 99, 0, -32768, 0, 99}, 5122, "VEC3", 3, true);
+  const int position =
+      f.accessor(std::vector<std::int16_t>{0, 0, 0, 99, 32767, 0, 0, 99, 0, -32768, 0, 99}, 5122, "VEC3", 3, true);
   f.json["bufferViews"][0]["byteStride"] = 8;
-  const int color = f.accessor(std::vector<std::uint8_t>{255, 0, 51, 255, 255, 255, 255, 255, 0, 0, 0, 0}, 5121, "VEC4", 3, true);
+  const int color =
+      f.accessor(std::vector<std::uint8_t>{255, 0, 51, 255, 255, 255, 255, 255, 0, 0, 0, 0}, 5121, "VEC4", 3, true);
   const int uv = f.accessor(std::vector<std::uint16_t>{0, 65535, 13107, 0, 0, 0}, 5123, "VEC2", 3, true);
   f.mesh({{"attributes", {{"POSITION", position}, {"COLOR_0", color}, {"TEXCOORD_0", uv}}}});
   const Scene s = f.scene();

@@ -76,7 +76,8 @@ TEST(GlbFormat, HoldsTheSpecification) {
   EXPECT_FALSE(json["bufferViews"][json["images"][0]["bufferView"].get<int>()].contains("target"));
   // Every extension object that is present is declared, and nothing else.
   std::set<std::string> used, declared;
-  for (const auto& item : json.flatten().items()) {
+  const auto flat = json.flatten();
+  for (const auto& item : flat.items()) {
     const std::size_t at = item.key().find("/extensions/");
     if (at == std::string::npos) continue;
     const std::string rest = item.key().substr(at + 12);
@@ -84,13 +85,16 @@ TEST(GlbFormat, HoldsTheSpecification) {
   }
   for (const auto& name : json["extensionsUsed"]) declared.insert(name.get<std::string>());
   EXPECT_EQ(used, declared);
-  EXPECT_EQ(declared, (std::set<std::string>{"KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_texture_transform"}));
+  EXPECT_EQ(declared, (std::set<std::string>{"KHR_lights_punctual", "KHR_materials_emissive_strength",
+                                             "KHR_materials_unlit", "KHR_texture_transform"}));
   // Factors stay within 0..1; the strength carries the rest.
   EXPECT_EQ(json["materials"][0]["emissiveFactor"], nlohmann::json({1.0, 0.0, 0.0}));
   EXPECT_EQ(json["materials"][0]["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"], 3.0);
   // Empty arrays and objects with no meaning are forbidden.
   for (const auto& [key, value] : json.items())
-    if (value.is_array()) { EXPECT_FALSE(value.empty()) << key; }
+    if (value.is_array()) {
+      EXPECT_FALSE(value.empty()) << key;
+    }
 }
 
 }  // namespace

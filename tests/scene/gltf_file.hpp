@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include "scene/check.hpp"
 #include "scene/gltf.hpp"
@@ -49,11 +49,16 @@ struct GltfFile {
 
   /// Adds a view and an accessor over `values`; returns the accessor's index.
   template <class T>
-  int accessor(const std::vector<T>& values, int componentType, const std::string& type, std::size_t count, bool normalized = false) {
+  int accessor(const std::vector<T>& values, int componentType, const std::string& type, std::size_t count,
+               bool normalized = false) {
     bytes.resize((bytes.size() + 3) / 4 * 4);
-    json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", values.size() * sizeof(T)}});
+    json["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", values.size() * sizeof(T)}});
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-    json["accessors"].push_back({{"bufferView", json["bufferViews"].size() - 1}, {"componentType", componentType}, {"type", type}, {"count", count}});
+    json["accessors"].push_back({{"bufferView", json["bufferViews"].size() - 1},
+                                 {"componentType", componentType},
+                                 {"type", type},
+                                 {"count", count}});
     if (normalized) json["accessors"].back()["normalized"] = true;
     return static_cast<int>(json["accessors"].size()) - 1;
   }

@@ -27,8 +27,13 @@ TEST(Materials, DefaultsAreThoseOfGltf) {
 
 TEST(Materials, Extensions) {
   EXPECT_TRUE(one({{"extensions", {{"KHR_materials_unlit", nlohmann::json::object()}}}}).unlit);
-  EXPECT_EQ(one({{"emissiveFactor", {1, 0.5, 0}}, {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 6}}}}}}).emissive, glm::vec3(6, 3, 0));
-  const Material glossy = one({{"extensions", {{"KHR_materials_pbrSpecularGlossiness", {{"diffuseFactor", {0.1, 0.2, 0.3, 0.4}}, {"glossinessFactor", 0.75}}}}}});
+  EXPECT_EQ(one({{"emissiveFactor", {1, 0.5, 0}},
+                 {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 6}}}}}})
+                .emissive,
+            glm::vec3(6, 3, 0));
+  const Material glossy = one({{"extensions",
+                                {{"KHR_materials_pbrSpecularGlossiness",
+                                  {{"diffuseFactor", {0.1, 0.2, 0.3, 0.4}}, {"glossinessFactor", 0.75}}}}}});
   EXPECT_EQ(glossy.baseColor, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
   EXPECT_EQ(glossy.metallic, 0);
   EXPECT_FLOAT_EQ(glossy.roughness, 0.25f);
@@ -37,7 +42,8 @@ TEST(Materials, Extensions) {
 TEST(Materials, FactorsOutsideTheirRangeAreRepairedWithAWarning) {
   GltfFile f;
   f.triangle();
-  f.json["materials"] = {{{"pbrMetallicRoughness", {{"roughnessFactor", 1.5}, {"metallicFactor", -1}}}, {"alphaCutoff", -0.5}}};
+  f.json["materials"] = {
+      {{"pbrMetallicRoughness", {{"roughnessFactor", 1.5}, {"metallicFactor", -1}}}, {"alphaCutoff", -0.5}}};
   const auto loaded = f.load();
   ASSERT_TRUE(loaded.ok()) << loaded.error().message;
   EXPECT_EQ(loaded->scene.materials[0].roughness, 1);
@@ -65,7 +71,8 @@ TEST(Textures, OnlyShownImagesAreKept) {
 
 TEST(Textures, SecondTextureCoordinates) {
   GltfFile f;
-  const int position = f.floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3"), uv0 = f.floats({0, 0, 0, 0, 0, 0}, "VEC2"), uv1 = f.floats({0, 1, 2, 3, 4, 5}, "VEC2");
+  const int position = f.floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3"), uv0 = f.floats({0, 0, 0, 0, 0, 0}, "VEC2"),
+            uv1 = f.floats({0, 1, 2, 3, 4, 5}, "VEC2");
   f.mesh({{"attributes", {{"POSITION", position}, {"TEXCOORD_0", uv0}, {"TEXCOORD_1", uv1}}}, {"material", 0}});
   // A one-pixel PNG from the PNG specification's minimum: made by the writer below.
   Scene pixel;
@@ -86,7 +93,8 @@ TEST(Textures, SecondTextureCoordinates) {
   EXPECT_EQ(v[1].uv, glm::vec2(2, 3));
   EXPECT_EQ(v[2].uv, glm::vec2(4, 5));
   // The transform's own choice of coordinates wins (KHR_texture_transform).
-  f.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {{"texCoord", 0}, {"offset", {0.5, 0.25}}, {"scale", {2, 3}}, {"rotation", 0.5}};
+  f.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
+      {"texCoord", 0}, {"offset", {0.5, 0.25}}, {"scale", {2, 3}}, {"rotation", 0.5}};
   const Scene moved = f.scene();
   EXPECT_EQ(moved.meshes[0].primitives[0].vertices[2].uv, glm::vec2(0));
   EXPECT_EQ(moved.materials[0].baseColorTexture.offset, glm::vec2(0.5f, 0.25f));

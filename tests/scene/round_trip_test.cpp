@@ -14,7 +14,8 @@ Primitive quad(std::int32_t material) {
   const glm::vec3 tangent = glm::normalize(glm::cross(glm::vec3(0, 1, 0), normal));
   for (int i = 0; i < 4; ++i) {
     const glm::vec2 c(i & 1, i >> 1);
-    p.vertices.push_back({glm::vec3(c.x * 1.7f, c.y * 0.3f, 0.123f), normal, glm::vec4(tangent, -1), c * 2.5f, glm::vec4(c, 0.25f, 1)});
+    p.vertices.push_back(
+        {glm::vec3(c.x * 1.7f, c.y * 0.3f, 0.123f), normal, glm::vec4(tangent, -1), c * 2.5f, glm::vec4(c, 0.25f, 1)});
     p.bounds.add(p.vertices.back().position);
   }
   p.indices = {0, 1, 2, 2, 1, 3};
@@ -25,9 +26,10 @@ Scene everything() {
   Scene s;
   s.name = "all of it";
   s.images = {{"opaque", 2, 1, {255, 0, 0, 255, 0, 255, 0, 255}}, {"clear", 1, 2, {1, 2, 3, 4, 250, 251, 252, 0}}};
-  s.textures = {{0, {Filter::kNearest, Filter::kNearest, Filter::kLinear, true, Wrap::kClampToEdge, Wrap::kMirroredRepeat}},
-                {1, {Filter::kLinear, Filter::kLinear, Filter::kNearest, true, Wrap::kRepeat, Wrap::kRepeat}},
-                {1, {Filter::kLinear, Filter::kNearest, Filter::kLinear, false, Wrap::kRepeat, Wrap::kRepeat}}};
+  s.textures = {
+      {0, {Filter::kNearest, Filter::kNearest, Filter::kLinear, true, Wrap::kClampToEdge, Wrap::kMirroredRepeat}},
+      {1, {Filter::kLinear, Filter::kLinear, Filter::kNearest, true, Wrap::kRepeat, Wrap::kRepeat}},
+      {1, {Filter::kLinear, Filter::kNearest, Filter::kLinear, false, Wrap::kRepeat, Wrap::kRepeat}}};
   Material a;
   a.name = "bricks";
   a.baseColor = {0.1f, 0.2f, 0.3f, 0.4f};
@@ -75,9 +77,16 @@ Scene everything() {
   node("endless", kNone).camera = 1;
   const std::vector<float> times = {0, 0.5f, 2};
   const glm::vec4 q1(0, 0, 0, 1), q2(0, std::sqrt(0.5f), 0, std::sqrt(0.5f));
-  s.animations = {{"move", 2, {{0, AnimationTarget::kTranslation, Interpolation::kLinear, times, {{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}}},
-                               {1, AnimationTarget::kRotation, Interpolation::kStep, times, {q1, q2, q1}},
-                               {1, AnimationTarget::kScale, Interpolation::kCubicSpline, {0, 1}, {{0, 0, 0, 0}, {1, 1, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {2, 2, 2, 0}, {0, 0, 0, 0}}}}}};
+  s.animations = {
+      {"move",
+       2,
+       {{0, AnimationTarget::kTranslation, Interpolation::kLinear, times, {{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}}},
+        {1, AnimationTarget::kRotation, Interpolation::kStep, times, {q1, q2, q1}},
+        {1,
+         AnimationTarget::kScale,
+         Interpolation::kCubicSpline,
+         {0, 1},
+         {{0, 0, 0, 0}, {1, 1, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {2, 2, 2, 0}, {0, 0, 0, 0}}}}}};
   return s;
 }
 
@@ -116,7 +125,9 @@ void expectSame(const Primitive& a, const Primitive& b, bool withTangents) {
   for (std::size_t i = 0; i < a.vertices.size(); ++i) {
     EXPECT_EQ(a.vertices[i].position, b.vertices[i].position);
     EXPECT_LT(glm::distance(a.vertices[i].normal, b.vertices[i].normal), 1e-6f);
-    if (withTangents) { EXPECT_LT(glm::distance(a.vertices[i].tangent, b.vertices[i].tangent), 1e-6f); }
+    if (withTangents) {
+      EXPECT_LT(glm::distance(a.vertices[i].tangent, b.vertices[i].tangent), 1e-6f);
+    }
     EXPECT_EQ(a.vertices[i].uv, b.vertices[i].uv);
     EXPECT_EQ(a.vertices[i].color, b.vertices[i].color);
   }
@@ -144,10 +155,15 @@ TEST(RoundTrip, KeepsEverything) {
   for (std::size_t i = 0; i < in.nodes.size(); ++i) {
     const Node &a = in.nodes[i], &b = out.nodes[at[i]];
     EXPECT_EQ(a.name, b.name);
-    if (a.parent == kNone) { EXPECT_EQ(b.parent, kNone); }
-    else { EXPECT_EQ(b.parent, static_cast<std::int32_t>(at[a.parent])); }
+    if (a.parent == kNone) {
+      EXPECT_EQ(b.parent, kNone);
+    } else {
+      EXPECT_EQ(b.parent, static_cast<std::int32_t>(at[a.parent]));
+    }
     EXPECT_EQ(a.matrix.has_value(), b.matrix.has_value());
-    if (a.matrix) { EXPECT_EQ(*a.matrix, *b.matrix); }
+    if (a.matrix) {
+      EXPECT_EQ(*a.matrix, *b.matrix);
+    }
     EXPECT_EQ(a.translation, b.translation);
     EXPECT_NEAR(std::abs(glm::dot(a.rotation, b.rotation)), 1, 1e-6);
     EXPECT_EQ(a.scale, b.scale);
@@ -186,7 +202,9 @@ TEST(RoundTrip, KeepsEverything) {
     EXPECT_EQ(a.magnify, b.magnify);
     EXPECT_EQ(a.minify, b.minify);
     EXPECT_EQ(a.useMipmaps, b.useMipmaps);
-    if (a.useMipmaps) { EXPECT_EQ(a.mipmap, b.mipmap); }
+    if (a.useMipmaps) {
+      EXPECT_EQ(a.mipmap, b.mipmap);
+    }
     EXPECT_EQ(a.wrapU, b.wrapU);
     EXPECT_EQ(a.wrapV, b.wrapV);
   }

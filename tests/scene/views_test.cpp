@@ -41,11 +41,13 @@ TEST(Cameras, FollowTheirNodeWithoutItsScale) {
 TEST(Cameras, CountInTheOrderOfTheFilesNodes) {
   GltfFile f;
   f.triangle();
-  f.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}},
-                       {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 0.1}, {"zfar", 10}}}},
-                       {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}, {"zfar", 50}}}}};
+  f.json["cameras"] = {
+      {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}},
+      {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 0.1}, {"zfar", 10}}}},
+      {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}, {"zfar", 50}}}}};
   // The child stands before its parent, as some exporters write it.
-  f.json["nodes"] = {{{"camera", 2}, {"name", "child"}}, {{"camera", 1}}, {{"camera", 0}, {"name", "parent"}, {"children", {0, 1}}}};
+  f.json["nodes"] = {
+      {{"camera", 2}, {"name", "child"}}, {{"camera", 1}}, {{"camera", 0}, {"name", "parent"}, {"children", {0, 1}}}};
   f.json["scenes"] = {{{"nodes", {2}}}};
   const Scene s = f.scene();
   const auto cameras = placedCameras(s, worldMatrices(s, 0));
@@ -55,6 +57,21 @@ TEST(Cameras, CountInTheOrderOfTheFilesNodes) {
   EXPECT_EQ(cameras[0].camera.zfar, 50.0f);
   EXPECT_EQ(cameras[1].name, "parent");
   EXPECT_FALSE(cameras[1].camera.zfar.has_value());
+}
+
+TEST(Cameras, DistancesThatCannotBeAreRepairedWithAWarning) {
+  GltfFile f;
+  f.triangle();
+  f.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0}}}},
+                       {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 2}, {"zfar", 1}}}}};
+  f.json["nodes"] = {{{"camera", 0}}, {{"camera", 1}}};
+  f.json["scenes"] = {{{"nodes", {0, 1}}}};
+  const auto loaded = f.load();
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  EXPECT_EQ(loaded->warnings.size(), 2u);
+  EXPECT_TRUE(checkScene(loaded->scene).ok());
+  EXPECT_GT(loaded->scene.cameras[0].znear, 0);
+  EXPECT_FALSE(loaded->scene.cameras[1].zfar.has_value());
 }
 
 TEST(Lights, ShineAlongMinusZ) {
@@ -77,7 +94,11 @@ TEST(Lights, ReadFromKhrLightsPunctual) {
   f.triangle();
   f.json["extensionsUsed"] = {"KHR_lights_punctual"};
   f.json["extensions"]["KHR_lights_punctual"]["lights"] = {
-      {{"type", "spot"}, {"intensity", 40}, {"range", 9}, {"color", {1, 0.5, 0}}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.3}}}},
+      {{"type", "spot"},
+       {"intensity", 40},
+       {"range", 9},
+       {"color", {1, 0.5, 0}},
+       {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.3}}}},
       {{"type", "point"}},
       {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.4}}}},
       {{"type", "spot"}, {"spot", nlohmann::json::object()}}};
@@ -120,14 +141,16 @@ TEST(Bounds, EncloseEveryTransformedVertex) {
     const Bounds b = worldBounds(s, matrices);
     for (const Vertex& v : p.vertices) {
       const glm::vec3 world(matrices[0] * glm::vec4(v.position, 1));
-      EXPECT_TRUE(glm::all(glm::greaterThanEqual(world, b.min - 1e-4f)) && glm::all(glm::lessThanEqual(world, b.max + 1e-4f)));
+      EXPECT_TRUE(glm::all(glm::greaterThanEqual(world, b.min - 1e-4f)) &&
+                  glm::all(glm::lessThanEqual(world, b.max + 1e-4f)));
     }
   }
   EXPECT_TRUE(worldBounds(Scene{}, {}).empty());
 }
 
 TEST(FramingCamera, SeesTheWholeLevelFromAboveTheHorizon) {
-  for (const glm::vec3 size : {glm::vec3(1), glm::vec3(100, 1, 100), glm::vec3(0.01f), glm::vec3(1, 50, 1), glm::vec3(1e5f, 10, 3), glm::vec3(0)}) {
+  for (const glm::vec3 size : {glm::vec3(1), glm::vec3(100, 1, 100), glm::vec3(0.01f), glm::vec3(1, 50, 1),
+                               glm::vec3(1e5f, 10, 3), glm::vec3(0)}) {
     const Bounds b{glm::vec3(5, -2, 8) - size / 2.0f, glm::vec3(5, -2, 8) + size / 2.0f};
     const CameraView view = framingCamera(b);
     expectRigid(view.worldFromView);
@@ -143,10 +166,16 @@ TEST(FramingCamera, SeesTheWholeLevelFromAboveTheHorizon) {
       const float extent = std::max(std::abs(p.x), std::abs(p.y)) / (-p.z * slope);
       EXPECT_LE(extent, 1.0f);
       widest = std::max(widest, extent);
-      if (view.camera.zfar) { EXPECT_LT(-p.z, *view.camera.zfar); }
+      if (view.camera.zfar) {
+        EXPECT_LT(-p.z, *view.camera.zfar);
+      }
     }
-    if (diagonal > 0) { EXPECT_GT(widest, 0.8f) << "fills the picture"; }
-    if (view.camera.zfar) { EXPECT_GE(*view.camera.zfar, 3 * diagonal); }
+    if (diagonal > 0) {
+      EXPECT_GT(widest, 0.8f) << "fills the picture";
+    }
+    if (view.camera.zfar) {
+      EXPECT_GE(*view.camera.zfar, 3 * diagonal);
+    }
   }
   const CameraView empty = framingCamera(Bounds{});
   expectRigid(empty.worldFromView);
