@@ -46,6 +46,7 @@ class FrameFixture : public testing::Test {
     }
     shadowMaps_.clear();
     depth_ = {};
+    timestamps_ = {};
     memory_.reset();
     device_.reset();
   }
