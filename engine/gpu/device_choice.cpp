@@ -72,12 +72,6 @@ std::string describe(const std::vector<Candidate>& candidates) {
   return list;
 }
 
-bool matches(const Candidate& candidate, std::size_t index, const std::string& wanted) {
-  const bool number = std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
-  if (number && wanted == std::to_string(index)) return true;
-  return lower(candidate.properties.deviceName).find(lower(wanted)) != std::string::npos;
-}
-
 }  // namespace
 
 Features::Features() { core.pNext = &v11, v11.pNext = &v12, v12.pNext = &v13; }
@@ -128,30 +122,42 @@ bool hasExtension(VkPhysicalDevice physical, const char* name) {
                      [&](const auto& extension) { return std::strcmp(extension.extensionName, name) == 0; });
 }
 
+std::vector<std::size_t> matchingDevices(const std::vector<std::string>& names, const std::string& wanted) {
+  const bool number = !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
+  if (number)  // "1" is the second device, though the first may have a 1 in its name; "4090" is no index
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (wanted == std::to_string(i)) return {i};
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (lower(names[i]).find(lower(wanted)) != std::string::npos) found.push_back(i);
+  return found;
+}
+
 Result<Choice> chooseDevice(VkInstance instance, const DeviceOptions& options) {
   std::uint32_t count = 0;
   if (const VkResult result = vkEnumeratePhysicalDevices(instance, &count, nullptr); result != VK_SUCCESS)
     return vkFailed("Vulkan: the devices cannot be listed", result);
   std::vector<VkPhysicalDevice> devices(count);
   vkEnumeratePhysicalDevices(instance, &count, devices.data());
-  if (count == 0) return failed("Vulkan: there is no device; install a driver (package mesa-vulkan-drivers has one for the CPU)");
+  if (count == 0) return failed(kNoDriver);
 
   std::string wanted = options.name, origin = "device";
   if (const char* variable = std::getenv("TYNDALL_DEVICE"); wanted.empty() && variable) wanted = variable, origin = "TYNDALL_DEVICE";
   std::vector<Candidate> candidates;
-  for (const VkPhysicalDevice device : devices) candidates.push_back(examine(device, options));
-
+  std::vector<std::string> names;
+  for (const VkPhysicalDevice device : devices) {
+    candidates.push_back(examine(device, options));
+    names.emplace_back(candidates.back().properties.deviceName);
+  }
+  const auto matching = matchingDevices(names, wanted);
   const Candidate* best = nullptr;
-  bool named = false;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
+  for (const std::size_t i : matching) {
     const Candidate& candidate = candidates[i];
-    if (!wanted.empty() && !matches(candidate, i, wanted)) continue;
-    named = true;
     if (!candidate.lacks.empty()) continue;
     if (!best || rank(candidate.properties.deviceType) > rank(best->properties.deviceType)) best = &candidate;
   }
   if (best) return Choice{best->physical, best->family};
-  if (!wanted.empty() && !named)
+  if (matching.empty())
     return badCall(origin + " '" + wanted + "': no such Vulkan device; there is: " + describe(candidates));
   return failed("Vulkan: no device that the engine can use" + (wanted.empty() ? "" : " is named '" + wanted + "'") + ": " +
                 describe(candidates));

@@ -71,6 +71,7 @@ Result<void> createInstance(Device::State& state, const DeviceOptions& options) 
   if (options.validation) info.pNext = &messenger, info.enabledLayerCount = 1, info.ppEnabledLayerNames = &kValidationLayer;
   if (const VkResult result = vkCreateInstance(&info, nullptr, &state.instance)) {
     state.instance = VK_NULL_HANDLE;
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER) return failed(kNoDriver);
     return vkFailed("Vulkan: no instance", result);
   }
   // Not volkLoadDevice: its pointers belong to one device, and tests open a second one with other layers.

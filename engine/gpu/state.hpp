@@ -116,12 +116,15 @@ struct Buffer::State : Resource {
   std::byte* mapped = nullptr;
 };
 
-/// The families' choice, refusals and features of device_choice.cpp.
+/// A device and its queue family for graphics and compute.
 struct Choice {
   VkPhysicalDevice physical = VK_NULL_HANDLE;
   std::uint32_t family = 0;
 };
+constexpr const char* kNoDriver = "Vulkan: there is no device; install a driver (package mesa-vulkan-drivers has one for the CPU)";
 Result<Choice> chooseDevice(VkInstance instance, const DeviceOptions& options);
+/// Places in `names` that `wanted` means: an index, else part of a name in any case; all of them if it is empty.
+std::vector<std::size_t> matchingDevices(const std::vector<std::string>& names, const std::string& wanted);
 bool hasExtension(VkPhysicalDevice physical, const char* name);
 
 /// The features that the engine turns on: `required` must be there, `optional` are turned on where they are.

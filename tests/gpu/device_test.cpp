@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "gpu_test.hpp"
+#include "state.hpp"
 
 namespace tyndall::gpu::test {
 namespace {
@@ -47,6 +48,17 @@ TEST(GpuDevice, IsFoundByAPartOfItsNameAndByItsIndex) {
   EXPECT_EQ((*device)->info().name, name);
 }
 
+TEST(GpuDevice, AnIndexComesBeforeANumberInAName) {
+  using List = std::vector<std::size_t>;
+  const std::vector<std::string> names{"Radeon 1100", "GeForce 4090", "llvmpipe"};
+  EXPECT_EQ(matchingDevices(names, ""), (List{0, 1, 2}));
+  EXPECT_EQ(matchingDevices(names, "1"), List{1});
+  EXPECT_EQ(matchingDevices(names, "4090"), List{1});
+  EXPECT_EQ(matchingDevices(names, "GEFORCE"), List{1});
+  EXPECT_EQ(matchingDevices(names, "e"), (List{0, 1, 2}));
+  EXPECT_EQ(matchingDevices(names, "3"), List{});
+}
+
 TEST(GpuDevice, UnknownNameListsWhatThereIs) {
   auto device = Device::create({.name = "Voodoo 2"});
   ASSERT_FALSE(device.ok());
@@ -72,6 +84,7 @@ TEST(GpuDevice, AMissingDriverIsOneLine) {
   auto device = Device::create({});
   ASSERT_FALSE(device.ok());
   EXPECT_EQ(device.error().kind, ErrorKind::kFailed);
+  EXPECT_NE(device.error().message.find("install a driver"), std::string::npos) << device.error().message;
   EXPECT_EQ(device.error().message.find('\n'), std::string::npos);
 }
 

@@ -144,6 +144,24 @@ TEST_F(GpuLifetime, AnAbsurdImageOrBufferIsRefusedInOneLine) {
   EXPECT_EQ(device->allocatedBytes(), start);
 }
 
+TEST_F(GpuLifetime, WhenMemoryEndsThatIsAnErrorAndNotTheEnd) {
+  const VkDeviceSize start = device->allocatedBytes();
+  {
+    std::vector<Buffer> buffers;
+    std::string refusal;
+    for (int i = 0; i < 20000 && refusal.empty(); ++i) {
+      auto made = device->createBuffer({.name = "hog", .size = VkDeviceSize{1} << 28, .usage = kBufferCopies});
+      if (made) buffers.push_back(made.take());
+      else refusal = made.error().message;
+    }
+    EXPECT_NE(refusal.find("'hog'"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("268435456 bytes"), std::string::npos) << refusal;
+    EXPECT_GT(buffers.size(), 0u);
+  }
+  EXPECT_EQ(device->allocatedBytes(), start);
+  TY_EXPECT_OK(device->createBuffer({.name = "after", .size = 1 << 20, .usage = kBufferCopies}));
+}
+
 TEST_F(GpuLifetime, ImagesAndBuffersShareMemoryInTurn) {
   const VkDeviceSize start = device->allocatedBytes();
   const ImageDesc imageDesc{.name = "shared image", .format = VK_FORMAT_R32_SFLOAT, .width = 65, .height = 33, .usage = kImageCopies};
