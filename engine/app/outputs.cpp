@@ -21,7 +21,8 @@ std::string lower(std::string text) {
 bool samePlace(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
   if (fs::equivalent(a, b, ignored)) return true;
-  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);
+  // Of a path that does not exist, only an absolute one becomes canonical in full.
+  return fs::weakly_canonical(fs::absolute(a, ignored), ignored) == fs::weakly_canonical(fs::absolute(b, ignored), ignored);
 }
 
 /// Holds back the signals that end a program, so that none strikes between writing and placing files.

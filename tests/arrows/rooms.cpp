@@ -48,6 +48,7 @@ const std::vector<std::string>& engineRooms() {
 }
 
 std::string roomOf(const std::string& path) {
+  if (path.ends_with("_test.cpp")) return "tests";  // a technique's tests lie beside it
   if (startsWith(path, "engine/")) return folder(path, 1);
   if (startsWith(path, "plugins/abi/")) return "abi";
   if (startsWith(path, "plugins/")) return "plugin:" + folder(path, 1);

@@ -8,7 +8,7 @@
 namespace tyndall::arrows {
 
 /// "gpu" for engine/gpu/..., "plugin:volumetrics" for plugins/volumetrics/..., "abi", "shared", "lib", "shaders" (the
-/// engine's own), "editor", "levels" (samples/levels), "sample" (sample plugins), "tests"; "" for anything else.
+/// engine's own), "editor", "levels" (samples/levels), "sample" (sample plugins), "tests" (also for any *_test.cpp); "" for anything else.
 /// `path` is relative to the project's root, with '/'.
 std::string roomOf(const std::string& path);
 
