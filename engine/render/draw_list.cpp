@@ -10,7 +10,7 @@ namespace tyndall::render {
 
 namespace {
 
-shared::InstanceBlock instanceBlock(const glm::mat4& worldFromObject, std::uint32_t material) {
+shared::InstanceBlock instanceBlock(const glm::mat4& worldFromObject) {
   shared::InstanceBlock block{};
   block.worldFromObject = worldFromObject;
   const glm::vec3 x(worldFromObject[0]), y(worldFromObject[1]), z(worldFromObject[2]);
@@ -19,7 +19,6 @@ shared::InstanceBlock instanceBlock(const glm::mat4& worldFromObject, std::uint3
   block.normalX = sign * glm::cross(y, z);
   block.normalY = sign * glm::cross(z, x);
   block.normalZ = sign * glm::cross(x, y);
-  block.material = material;
   block.mirrored = sign < 0 ? 1u : 0u;
   return block;
 }
@@ -40,11 +39,12 @@ DrawList buildDrawList(const scene::Scene& scene, const SceneResources& resource
       Draw draw;
       draw.range = range;
       draw.instance = static_cast<std::uint32_t>(list.instances.size());
-      list.instances.push_back(instanceBlock(worldFromNode[n], range.material));
+      list.instances.push_back(instanceBlock(worldFromNode[n]));
       draw.facing = material.doubleSided                  ? Facing::kBoth
                     : list.instances.back().mirrored != 0 ? Facing::kFrontMirrored
                                                           : Facing::kFront;
       draw.mask = material.alphaMode == scene::AlphaMode::kMask;
+      draw.textures = material.textures;
       draw.bounds = transformBounds(range.bounds, worldFromNode[n]);
       if (material.alphaMode == scene::AlphaMode::kBlend) {
         draw.distance = glm::distance(eye, 0.5f * (draw.bounds.min + draw.bounds.max));
@@ -56,7 +56,7 @@ DrawList buildDrawList(const scene::Scene& scene, const SceneResources& resource
       }
     }
   }
-  const auto key = [](const Draw& d) { return std::tuple(d.mask, d.facing, d.distance, d.range.material, d.instance); };
+  const auto key = [](const Draw& d) { return std::tuple(d.mask, d.facing, d.textures, d.distance, d.range.material, d.instance); };
   std::sort(list.solid.begin(), list.solid.end(), [&](const Draw& a, const Draw& b) { return key(a) < key(b); });
   std::stable_sort(list.blended.begin(), list.blended.end(), [](const Draw& a, const Draw& b) { return a.distance > b.distance; });
   return list;

@@ -20,6 +20,7 @@ struct Draw {
   std::uint32_t instance = 0;
   Facing facing = Facing::kFront;
   bool mask = false;
+  std::uint32_t textures = 0;  ///< shared::k...Map bits
   scene::Bounds bounds;    ///< world
   float distance = 0;      ///< opaque: to the nearest point of the bounds; blended: to their centre; metres from the eye
 };

@@ -1,5 +1,8 @@
 #include "draw_record.hpp"
 
+#include <map>
+#include <tuple>
+
 #include "culling.hpp"
 
 namespace tyndall::render {
@@ -21,11 +24,14 @@ void drawOne(VkCommandBuffer commands, const Draw& draw) {
 
 void bindFrame(gpu::Descriptors& d, const FrameData& frame) {
   d.uniformBuffer(0, frame.viewBlock.buffer, frame.viewBlock.offset, frame.viewBlock.size)
-      .storageBuffer(1, frame.instanceBlocks.buffer, frame.instanceBlocks.offset, frame.instanceBlocks.size)
-      .storageBuffer(2, frame.resources->materialBlocks.handle());
+      .storageBuffer(1, frame.instanceBlocks.buffer, frame.instanceBlocks.offset, frame.instanceBlocks.size);
 }
 
-void bindMaterial(gpu::Descriptors& d, const MaterialBindings& m) {
+void bindMaterialBlock(gpu::Descriptors& d, std::uint32_t binding, const SceneResources& resources, std::uint32_t material) {
+  d.uniformBuffer(binding, resources.materialBlocks.handle(), material * kMaterialStride, sizeof(shared::MaterialBlock));
+}
+
+void bindMaps(gpu::Descriptors& d, const MaterialBindings& m) {
   d.sampled(3, m.baseColor.view, m.baseColor.sampler)
       .sampled(4, m.alpha.view, m.alpha.sampler)
       .sampled(5, m.metallicRoughness.view, m.metallicRoughness.sampler)
@@ -34,52 +40,56 @@ void bindMaterial(gpu::Descriptors& d, const MaterialBindings& m) {
       .sampled(8, m.emissive.view, m.emissive.sampler);
 }
 
-// Draws one after the other; `pipelineOf` chooses, `afterChange` pushes what a newly bound pipeline needs beyond the frame.
-template <class PipelineOf, class AfterChange>
-void recordShaded(PassContext& context, const FrameData& frame, const std::vector<Draw>& draws, PipelineOf pipelineOf, AfterChange afterChange) {
+}  // namespace
+
+Result<DrawPipelines> pipelinesOf(PipelineLibrary& library, const std::vector<Draw>& draws,
+                                  const std::function<Recipe(const Draw&)>& recipeOf) {
+  std::map<std::tuple<Facing, bool, std::uint32_t>, const gpu::Pipeline*> known;
+  DrawPipelines pipelines;
+  for (const Draw& draw : draws) {
+    const gpu::Pipeline*& pipeline = known[{draw.facing, draw.mask, draw.textures}];
+    if (!pipeline) {
+      Result<const gpu::Pipeline*> made = library.get(recipeOf(draw));
+      if (!made) return made.error();
+      pipeline = *made;
+    }
+    pipelines.push_back(pipeline);
+  }
+  return pipelines;
+}
+
+void recordShaded(PassContext& context, const FrameData& frame, const std::vector<Draw>& draws, const DrawPipelines& pipelines,
+                  const std::function<void(const gpu::Pipeline&)>& bindMore) {
   const VkCommandBuffer commands = context.commands();
   bindBuffers(commands, *frame.resources);
   const gpu::Pipeline* bound = nullptr;
   std::uint32_t material = kNothing;
-  for (const Draw& draw : draws) {
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    const Draw& draw = draws[i];
     if (!mayBeSeen(draw.bounds, frame.clipFromWorld, DepthPlanes::kBoth)) continue;
-    const gpu::Pipeline* pipeline = pipelineOf(draw);
-    if (pipeline != bound || draw.range.material != material) {
-      gpu::Descriptors descriptors(commands, *pipeline);
-      if (pipeline != bound) {
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle());
+    if (pipelines[i] != bound || draw.range.material != material) {
+      gpu::Descriptors descriptors(commands, *pipelines[i]);
+      if (pipelines[i] != bound) {
+        bound = pipelines[i];
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bound->handle());
         bindFrame(descriptors, frame);
-        afterChange(*pipeline);
-        bound = pipeline;
+        if (bindMore) bindMore(*bound);
       }
-      bindMaterial(descriptors, frame.resources->materials[draw.range.material]);
-      descriptors.push();
       material = draw.range.material;
+      bindMaterialBlock(descriptors, 2, *frame.resources, material);
+      bindMaps(descriptors, frame.resources->materials[material]);
+      descriptors.push();
     }
     drawOne(commands, draw);
   }
 }
 
-}  // namespace
-
-void recordSolid(PassContext& context, const FrameData& frame, const GeometryPipelines& pipelines) {
-  recordShaded(
-      context, frame, frame.draws.solid,
-      [&](const Draw& draw) { return (draw.mask ? pipelines.mask : pipelines.opaque)[static_cast<std::size_t>(draw.facing)]; },
-      [](const gpu::Pipeline&) {});
-}
-
-void recordBlended(PassContext& context, const FrameData& frame, const std::array<const gpu::Pipeline*, 3>& pipelines,
-                   const std::function<void(const gpu::Pipeline&)>& bindLights) {
-  recordShaded(
-      context, frame, frame.draws.blended, [&](const Draw& draw) { return pipelines[static_cast<std::size_t>(draw.facing)]; }, bindLights);
-}
-
-bool anyBlendedVisible(const FrameData& frame) {
-  for (const Draw& draw : frame.draws.blended) {
-    if (mayBeSeen(draw.bounds, frame.clipFromWorld, DepthPlanes::kBoth)) return true;
-  }
-  return false;
+Result<CasterPipelines> casterPipelines(PipelineLibrary& library) {
+  Result<const gpu::Pipeline*> opaque = library.get(casterRecipe(false));
+  if (!opaque) return opaque.error();
+  Result<const gpu::Pipeline*> mask = library.get(casterRecipe(true));
+  if (!mask) return mask.error();
+  return CasterPipelines{*opaque, *mask};
 }
 
 void recordCasters(PassContext& context, const FrameData& frame, const CasterPipelines& pipelines, const glm::mat4& clipFromWorld) {
@@ -95,15 +105,16 @@ void recordCasters(PassContext& context, const FrameData& frame, const CasterPip
       vkCmdPushConstants(commands, pipeline->layout(), VK_SHADER_STAGE_ALL, 0, sizeof(glm::mat4), &clipFromWorld);
       gpu::Descriptors(commands, *pipeline)
           .storageBuffer(0, frame.instanceBlocks.buffer, frame.instanceBlocks.offset, frame.instanceBlocks.size)
-          .storageBuffer(1, frame.resources->materialBlocks.handle())
           .push();
       bound = pipeline;
       material = kNothing;
     }
     if (draw.mask && draw.range.material != material) {
-      const TextureBinding& alpha = frame.resources->materials[draw.range.material].alpha;
-      gpu::Descriptors(commands, *pipeline).sampled(2, alpha.view, alpha.sampler).push();
       material = draw.range.material;
+      const TextureBinding& alpha = frame.resources->materials[material].alpha;
+      gpu::Descriptors descriptors(commands, *pipeline);
+      bindMaterialBlock(descriptors, 1, *frame.resources, material);
+      descriptors.sampled(2, alpha.view, alpha.sampler).push();
     }
     drawOne(commands, draw);
   }

@@ -28,17 +28,17 @@ double importance(const View& view, const scene::LightView& light) {
 shared::LightBlock makeBlock(const scene::LightView& view, const ShadowFit& fit, std::uint32_t shadowSize) {
   const scene::Light& light = view.light;
   shared::LightBlock block{};
-  block.position = view.position;
-  block.kind = light.kind == scene::LightKind::kDirectional ? shared::kLightDirectional
+  block.core.position = view.position;
+  block.core.kind = light.kind == scene::LightKind::kDirectional ? shared::kLightDirectional
                : light.kind == scene::LightKind::kSpot      ? shared::kLightSpot
                                                             : shared::kLightPoint;
-  block.direction = glm::normalize(view.direction);
-  block.range = light.range.value_or(0.0f);
-  block.intensity = light.color * light.intensity;
+  block.core.direction = glm::normalize(view.direction);
+  block.core.range = light.range.value_or(0.0f);
+  block.core.intensity = light.color * light.intensity;
   // KHR_lights_punctual, "Inner and Outer Cone Angles": the floor keeps equal angles from dividing by zero.
   const float cosOuter = std::cos(light.outerConeAngle);
-  block.spotScale = 1.0f / std::max(0.001f, std::cos(light.innerConeAngle) - cosOuter);
-  block.spotOffset = -cosOuter * block.spotScale;
+  block.core.spotScale = 1.0f / std::max(0.001f, std::cos(light.innerConeAngle) - cosOuter);
+  block.core.spotOffset = -cosOuter * block.core.spotScale;
   block.texelSize = static_cast<float>(fit.texelSize);
   block.shadowSize = static_cast<float>(shadowSize);
   block.faceCount = fit.faceCount;

@@ -13,8 +13,8 @@ namespace tyndall::render {
 
 /// Memory that all shadow maps of a frame may take together.
 inline constexpr std::uint64_t kShadowBudgetBytes = 1ull << 30;
-/// Shadow maps that one lighting pass reads (shaders/engine/include/lights.glsl).
-inline constexpr std::uint32_t kShadowSlots = 4;
+/// Shadow maps that one lighting pass reads.
+using shared::kShadowSlots;
 
 struct PlannedLight {
   std::uint32_t source = 0;   ///< index into the frame's lights

@@ -13,14 +13,10 @@ ImageRef viewImage(Graph& graph, const std::string& name, VkFormat format, std::
 }
 
 Result<void> addGBufferPass(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame, bool clear) {
-  GeometryPipelines pipelines;
-  for (const Facing facing : {Facing::kFront, Facing::kFrontMirrored, Facing::kBoth}) {
-    for (const bool mask : {false, true}) {
-      Result<const gpu::Pipeline*> made = tools.pipelines.get(gbufferRecipe(facing, mask));
-      if (!made) return made.error();
-      (mask ? pipelines.mask : pipelines.opaque)[static_cast<std::size_t>(facing)] = *made;
-    }
-  }
+  Result<DrawPipelines> pipelines = pipelinesOf(tools.pipelines, frame->draws.solid, [](const Draw& draw) {
+    return gbufferRecipe(draw.facing, draw.mask, draw.textures);
+  });
+  if (!pipelines) return pipelines.error();
   const View& view = frame->view;
   frame->base = viewImage(graph, "base colour", kBaseFormat, view.width, view.height);
   frame->normal = viewImage(graph, "normal", kNormalFormat, view.width, view.height);
@@ -31,10 +27,10 @@ Result<void> addGBufferPass(Graph& graph, const PassTools& tools, const std::sha
       .use(frame->normal, Use::kColorWrite)
       .use(frame->emissive, Use::kColorWrite)
       .use(frame->depth, Use::kDepthWrite)
-      .run([frame = FramePointer(frame), pipelines, clear](PassContext& context) {
+      .run([frame = FramePointer(frame), pipelines = pipelines.take(), clear](PassContext& context) {
         const PassContext::DepthAttachment depth{frame->depth, true, 0.0f};
         context.beginRendering({{frame->base, clear}, {frame->normal, clear}, {frame->emissive, clear}}, &depth);
-        recordSolid(context, *frame, pipelines);
+        recordShaded(context, *frame, frame->draws.solid, pipelines, {});
         context.endRendering();
       });
   return {};

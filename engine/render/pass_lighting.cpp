@@ -6,30 +6,36 @@ namespace tyndall::render {
 
 namespace {
 
-void declare(Graph& graph, const PassTools& tools, FramePointer frame, const gpu::Pipeline& pipeline, const LightRange& range,
-             const PixelRect& rect, bool base) {
-  Graph::Pass pass = graph.pass(base ? "lighting" : "lighting " + std::to_string(range.firstShadowed / kShadowSlots));
+// The lights of one pass and the pixels they reach.
+struct Batch {
+  std::uint32_t firstShadowed = 0, shadowedCount = 0;
+  UnshadowedLights unshadowed;
+  PixelRect rect;
+  bool base() const { return firstShadowed == 0; }
+};
+
+void declare(Graph& graph, const PassTools& tools, FramePointer frame, const gpu::Pipeline& pipeline, const Batch& batch) {
+  Graph::Pass pass = graph.pass(batch.base() ? "lighting" : "lighting " + std::to_string(batch.firstShadowed / kShadowSlots));
   for (const ImageRef image : {frame->base, frame->normal, frame->emissive, frame->depth}) pass.use(image, Use::kSampledGraphics);
-  for (std::uint32_t i = 0; i < range.shadowedCount; ++i) {
-    pass.use(frame->shadowMaps[range.firstShadowed + i], Use::kSampledGraphics);
+  for (std::uint32_t i = 0; i < batch.shadowedCount; ++i) {
+    pass.use(frame->shadowMaps[batch.firstShadowed + i], Use::kSampledGraphics);
   }
-  pass.use(frame->color, base ? Use::kColorWrite : Use::kColorReadWrite);
-  pass.run([frame, tools, &pipeline, range, rect](PassContext& context) {
+  pass.use(frame->color, batch.base() ? Use::kColorWrite : Use::kColorReadWrite);
+  pass.run([frame, tools, &pipeline, batch](PassContext& context) {
     const VkCommandBuffer commands = context.commands();
     context.beginRendering({{frame->color}});
-    const VkRect2D scissor{{rect.x0, rect.y0},
-                           {static_cast<std::uint32_t>(rect.x1 - rect.x0), static_cast<std::uint32_t>(rect.y1 - rect.y0)}};
+    const PixelRect& r = batch.rect;
+    const VkRect2D scissor{{r.x0, r.y0}, {static_cast<std::uint32_t>(r.x1 - r.x0), static_cast<std::uint32_t>(r.y1 - r.y0)}};
     vkCmdSetScissor(commands, 0, 1, &scissor);
     gpu::Descriptors descriptors(commands, pipeline);
     const VkSampler texel = tools.samplers.texel;
     descriptors.uniformBuffer(0, frame->viewBlock.buffer, frame->viewBlock.offset, frame->viewBlock.size)
-        .storageBuffer(1, frame->lightBlocks.buffer, frame->lightBlocks.offset, frame->lightBlocks.size)
         .sampled(2, context.view(frame->base), texel)
         .sampled(3, context.view(frame->normal), texel)
         .sampled(4, context.view(frame->emissive), texel)
         .sampled(5, context.view(frame->depth), texel);
-    bindShadowMaps(context, tools, *frame, descriptors, 6, range.firstShadowed, range.shadowedCount);
-    drawFullScreen(commands, pipeline, descriptors, range);
+    bindLights(context, tools, *frame, descriptors, {1, 6, 10}, batch.firstShadowed, batch.shadowedCount);
+    drawFullScreen(commands, pipeline, descriptors, batch.unshadowed);
     context.endRendering();
   });
 }
@@ -41,25 +47,25 @@ Result<void> addLightingPasses(Graph& graph, const PassTools& tools, const std::
   const View& view = frame->view;
   frame->color = viewImage(graph, "radiance", kColorFormat, view.width, view.height);
   const auto shadowed = static_cast<std::uint32_t>(frame->plan.shadowed.size());
-  std::uint32_t first = 0;
-  do {
-    const bool base = first == 0;
-    LightRange range;
-    range.firstShadowed = first;
-    range.shadowedCount = std::min(kShadowSlots, shadowed - first);
-    range.firstUnshadowed = shadowed;
-    range.unshadowedCount = base ? static_cast<std::uint32_t>(frame->plan.unshadowed.size()) : 0;
-    PixelRect rect{0, 0, static_cast<std::int32_t>(view.width), static_cast<std::int32_t>(view.height)};
-    if (!base) {
-      rect = {};
-      for (std::uint32_t i = 0; i < range.shadowedCount; ++i) rect.add(reach(view, lights[frame->plan.shadowed[first + i].source]));
+  const PixelRect whole{0, 0, static_cast<std::int32_t>(view.width), static_cast<std::int32_t>(view.height)};
+  // One pass even without any light: it writes the sky.
+  for (std::uint32_t first = 0; first == 0 || first < shadowed; first += kShadowSlots) {
+    Batch batch;
+    batch.firstShadowed = first;
+    batch.shadowedCount = std::min(kShadowSlots, shadowed - first);
+    batch.unshadowed = {shadowed, batch.base() ? static_cast<std::uint32_t>(frame->plan.unshadowed.size()) : 0u};
+    if (batch.base()) {
+      batch.rect = whole;
+    } else {
+      for (std::uint32_t i = first; i < first + batch.shadowedCount; ++i) {
+        batch.rect.add(reach(view, lights[frame->plan.shadowed[i].source]));
+      }
     }
-    first += kShadowSlots;
-    if (rect.empty()) continue;
-    Result<const gpu::Pipeline*> pipeline = tools.pipelines.get(lightingRecipe(base, range.shadowedCount));
+    if (batch.rect.empty()) continue;
+    Result<const gpu::Pipeline*> pipeline = tools.pipelines.get(lightingRecipe(batch.base(), batch.shadowedCount));
     if (!pipeline) return pipeline.error();
-    declare(graph, tools, frame, **pipeline, range, rect, base);
-  } while (first < shadowed);
+    declare(graph, tools, frame, **pipeline, batch);
+  }
   return {};
 }
 

@@ -22,12 +22,8 @@ ShadowedLight describe(const FrameData& frame, const scene::LightView& light, co
 
 Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame,
                              const std::vector<scene::LightView>& lights, std::uint32_t size) {
-  CasterPipelines pipelines;
-  for (const bool mask : {false, true}) {
-    Result<const gpu::Pipeline*> made = tools.pipelines.get(casterRecipe(mask));
-    if (!made) return made.error();
-    (mask ? pipelines.mask : pipelines.opaque) = *made;
-  }
+  const Result<CasterPipelines> pipelines = casterPipelines(tools.pipelines);
+  if (!pipelines) return pipelines.error();
   std::vector<std::pair<std::uint32_t, ShadowedLight>> inFileOrder;
   for (const PlannedLight& light : frame->plan.shadowed) {
     gpu::ImageDesc desc;
@@ -41,7 +37,7 @@ Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::sh
 
     graph.pass("shadow " + std::to_string(light.source))
         .use(map, Use::kDepthWrite)
-        .run([frame = FramePointer(frame), pipelines, map, fit = light.fit](PassContext& context) {
+        .run([frame = FramePointer(frame), pipelines = *pipelines, map, fit = light.fit](PassContext& context) {
           for (std::uint32_t face = 0; face < fit.faceCount; ++face) {
             PassContext::DepthAttachment depth{map, true, 1.0f};
             depth.view.baseLayer = face;
@@ -57,18 +53,23 @@ Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::sh
   return {};
 }
 
-void bindShadowMaps(PassContext& context, const PassTools& tools, const FrameData& frame, gpu::Descriptors& descriptors,
-                    std::uint32_t binding, std::uint32_t first, std::uint32_t count) {
+void bindLights(PassContext& context, const PassTools& tools, const FrameData& frame, gpu::Descriptors& descriptors,
+                const LightBindings& bindings, std::uint32_t first, std::uint32_t count) {
+  const BlockRange& blocks = frame.lightBlocks;
+  descriptors
+      .uniformBuffer(bindings.shadowed, blocks.buffer, blocks.offset + first * sizeof(shared::LightBlock),
+                     kShadowSlots * sizeof(shared::LightBlock))
+      .storageBuffer(bindings.all, blocks.buffer, blocks.offset, blocks.size);
   for (std::uint32_t slot = 0; slot < kShadowSlots; ++slot) {
     if (slot >= count) {
-      descriptors.sampled(binding + slot, tools.unusedMap, tools.samplers.texel);
+      descriptors.sampled(bindings.firstMap + slot, tools.unusedMap, tools.samplers.texel);
       continue;
     }
     gpu::ViewDesc whole;
     whole.array = true;
     // Beyond a sun's or a spot's map everything is lit; a cube's neighbouring face is better guessed by the edge.
     const bool cube = frame.plan.shadowed[first + slot].fit.faceCount > 1;
-    descriptors.sampled(binding + slot, context.view(frame.shadowMaps[first + slot], whole),
+    descriptors.sampled(bindings.firstMap + slot, context.view(frame.shadowMaps[first + slot], whole),
                         cube ? tools.samplers.texel : tools.samplers.borderLit);
   }
 }

@@ -54,8 +54,11 @@ void drawFullScreen(VkCommandBuffer commands, const gpu::Pipeline& pipeline, gpu
 /// A transient image of the view's size.
 ImageRef viewImage(Graph& graph, const std::string& name, VkFormat format, std::uint32_t width, std::uint32_t height);
 
-/// Binds the maps of lights [first, first + count) of plan.shadowed at `binding` and following; unused slots get a stand-in.
-void bindShadowMaps(PassContext& context, const PassTools& tools, const FrameData& frame, gpu::Descriptors& descriptors,
-                    std::uint32_t binding, std::uint32_t first, std::uint32_t count);
+/// Binding numbers of what lights.glsl reads: the block of shadowed lights, the first shadow map, the array of all lights.
+struct LightBindings { std::uint32_t shadowed, firstMap, all; };
+/// Binds lights [first, first + count) of plan.shadowed with their maps (`first` a multiple of kShadowSlots; slots without a
+/// light get a stand-in) and the array of all lights.
+void bindLights(PassContext& context, const PassTools& tools, const FrameData& frame, gpu::Descriptors& descriptors,
+                const LightBindings& bindings, std::uint32_t first, std::uint32_t count);
 
 }  // namespace tyndall::render

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scene/scene.hpp"
+#include "shared/light.h"
 
 namespace tyndall::render {
 
@@ -43,12 +44,12 @@ void addVertices(gpu::GraphicsPipelineDesc& desc, bool position, bool shading, b
   if (uvAndColor) desc.vertexAttributes.push_back(attribute(4, VK_FORMAT_R32G32B32A32_SFLOAT, &Vertex::color));
 }
 
-Recipe geometry(const std::string& name, const std::string& fragment, Facing facing) {
+Recipe geometry(const std::string& name, const std::string& fragment, Facing facing, std::uint32_t textures) {
   Recipe recipe;
   recipe.vertex = "geometry.vert";
   recipe.fragment = fragment;
-  recipe.desc.name = name + ", " + text(facing);
-  recipe.desc.bindings = {{0, kUniform}, {1, kStorage}, {2, kStorage}};
+  recipe.desc.name = name + ", " + text(facing) + ", maps " + std::to_string(textures);
+  recipe.desc.bindings = {{0, kUniform}, {1, kStorage}, {2, kUniform}};
   addSampled(recipe.desc.bindings, 3, 6);
   addVertices(recipe.desc, true, true, true);
   setFacing(recipe.desc, facing);
@@ -69,9 +70,9 @@ Recipe fullScreen(const std::string& name, const std::string& fragment, VkFormat
 
 }  // namespace
 
-Recipe gbufferRecipe(Facing facing, bool mask) {
-  Recipe recipe = geometry(mask ? "G-buffer, alpha-tested" : "G-buffer", "gbuffer.frag", facing);
-  recipe.desc.specialization = {{0, mask ? 1u : 0u}};
+Recipe gbufferRecipe(Facing facing, bool mask, std::uint32_t textures) {
+  Recipe recipe = geometry(mask ? "G-buffer, alpha-tested" : "G-buffer", "gbuffer.frag", facing, textures);
+  recipe.desc.specialization = {{0, mask ? 1u : 0u}, {2, textures}};
   recipe.desc.colors = {{kBaseFormat}, {kNormalFormat}, {kEmissiveFormat}};
   recipe.desc.depthWrite = true;
   return recipe;
@@ -82,7 +83,7 @@ Recipe casterRecipe(bool mask) {
   recipe.vertex = mask ? "caster_mask.vert" : "caster.vert";
   recipe.fragment = mask ? "caster_mask.frag" : "";
   recipe.desc.name = mask ? "casters, alpha-tested" : "casters";
-  recipe.desc.bindings = {{0, kStorage}, {1, kStorage}, {2, kSampled}};
+  recipe.desc.bindings = {{0, kStorage}, {1, kUniform}, {2, kSampled}};
   recipe.desc.pushConstantBytes = sizeof(glm::mat4);
   addVertices(recipe.desc, true, false, mask);
   // Both faces, also of single-sided surfaces: a wall shadows from either side.
@@ -94,12 +95,13 @@ Recipe casterRecipe(bool mask) {
   return recipe;
 }
 
-Recipe transparentRecipe(Facing facing, std::uint32_t slots) {
-  Recipe recipe = geometry("transparent, " + std::to_string(slots) + " shadow maps", "transparent.frag", facing);
-  recipe.desc.bindings.push_back({9, kStorage});
-  addSampled(recipe.desc.bindings, 10, 4);
-  recipe.desc.specialization = {{1, slots}};
-  recipe.desc.pushConstantBytes = sizeof(LightRange);
+Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots) {
+  Recipe recipe = geometry("transparent, " + std::to_string(slots) + " shadow maps", "transparent.frag", facing, textures);
+  recipe.desc.bindings.push_back({9, kUniform});
+  addSampled(recipe.desc.bindings, 10, shared::kShadowSlots);
+  recipe.desc.bindings.push_back({14, kStorage});
+  recipe.desc.specialization = {{1, slots}, {2, textures}};
+  recipe.desc.pushConstantBytes = sizeof(UnshadowedLights);
   gpu::ColorTarget target{kColorFormat, true};
   target.sourceFactor = VK_BLEND_FACTOR_SRC_ALPHA;
   target.destinationFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
@@ -111,10 +113,11 @@ Recipe transparentRecipe(Facing facing, std::uint32_t slots) {
 
 Recipe lightingRecipe(bool base, std::uint32_t slots) {
   Recipe recipe = fullScreen((base ? "lighting, " : "more lighting, ") + std::to_string(slots) + " shadow maps", "lighting.frag", kColorFormat);
-  recipe.desc.bindings = {{0, kUniform}, {1, kStorage}};
-  addSampled(recipe.desc.bindings, 2, 8);
+  recipe.desc.bindings = {{0, kUniform}, {1, kUniform}};
+  addSampled(recipe.desc.bindings, 2, 4 + shared::kShadowSlots);
+  recipe.desc.bindings.push_back({10, kStorage});
   recipe.desc.specialization = {{0, base ? 1u : 0u}, {1, slots}};
-  recipe.desc.pushConstantBytes = sizeof(LightRange);
+  recipe.desc.pushConstantBytes = sizeof(UnshadowedLights);
   gpu::ColorTarget& target = recipe.desc.colors[0];
   target.blend = !base;
   target.sourceFactor = target.destinationFactor = VK_BLEND_FACTOR_ONE;

@@ -17,16 +17,17 @@ inline constexpr VkFormat kColorFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat kPictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 inline constexpr VkFormat kDistanceFormat = VK_FORMAT_R32_SFLOAT;
 
-/// Push constants of lighting.frag and transparent.frag.
-struct LightRange { std::uint32_t firstShadowed = 0, shadowedCount = 0, firstUnshadowed = 0, unshadowedCount = 0; };
+/// Push constants of lighting.frag and transparent.frag: a part of the light array.
+struct UnshadowedLights { std::uint32_t first = 0, count = 0; };
 /// Push constants of distance.frag and debug_view.frag.
 struct DistancePush { float tangentX, tangentY, width, height, znear, zfar; };
 struct DebugPush { float width, height; std::uint32_t channel; float low, high; };
 
-Recipe gbufferRecipe(Facing facing, bool mask);
+/// `textures`: shared::k...Map bits, of the maps that the shader looks up.
+Recipe gbufferRecipe(Facing facing, bool mask, std::uint32_t textures);
 Recipe casterRecipe(bool mask);
 /// `slots`: how many shadow maps the shader reads, at most kShadowSlots.
-Recipe transparentRecipe(Facing facing, std::uint32_t slots);
+Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots);
 /// `base`: the first pass, which also writes sky and emission; others add.
 Recipe lightingRecipe(bool base, std::uint32_t slots);
 Recipe compositeRecipe(bool scatter);

@@ -80,7 +80,9 @@ Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) 
   frame->plan = planLights(frame->view, input.lights, frame->draws.casters, input.settings.shadowResolution);
 
   const shared::ViewBlock view = makeViewBlock(frame->view, frame->clipFromWorld, input.lights);
-  const auto& lightBlocks = frame->plan.blocks;
+  // Whole groups of slots, because the block of a group is bound as one.
+  std::vector<shared::LightBlock> lightBlocks = frame->plan.blocks;
+  lightBlocks.resize((lightBlocks.size() / kShadowSlots + 1) * kShadowSlots);
   const auto& instances = frame->draws.instances;
   Result<std::vector<BlockRange>> ranges = blocks.write({{&view, sizeof(view)},
                                                          {lightBlocks.data(), lightBlocks.size() * sizeof(lightBlocks[0])},
@@ -119,13 +121,9 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
   output.depth = frame->depth;
   output.color = frame->color;
   if (input.effect) {
-    CasterPipelines casters;
-    Result<const gpu::Pipeline*> opaque = state_->pipelines.get(casterRecipe(false));
-    if (!opaque) return opaque.error();
-    Result<const gpu::Pipeline*> mask = state_->pipelines.get(casterRecipe(true));
-    if (!mask) return mask.error();
-    casters = {*opaque, *mask};
-    const auto draw = [frame = FramePointer(frame), casters](PassContext& context, const glm::mat4& clipFromWorld) {
+    const Result<CasterPipelines> casters = casterPipelines(state_->pipelines);
+    if (!casters) return casters.error();
+    const auto draw = [frame = FramePointer(frame), casters = *casters](PassContext& context, const glm::mat4& clipFromWorld) {
       recordCasters(context, *frame, casters, clipFromWorld);
     };
     Result<ImageRef> scatter = input.effect->addPasses({graph, frame->view, frame->depth, frame->shadowedLights, input.reset, draw});

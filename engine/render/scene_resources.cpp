@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <span>
 
 #include "shared/surface.h"
@@ -19,6 +20,14 @@ shared::UvTransform uvTransform(const scene::TextureUse& use) {
   return {{c * use.scale.x, s * use.scale.y, use.offset.x}, {-s * use.scale.x, c * use.scale.y, use.offset.y}};
 }
 
+std::uint32_t textureBits(const scene::Material& m) {
+  return (m.baseColorTexture.used() ? shared::kBaseColorMap : 0u) | (m.metallicRoughnessTexture.used() ? shared::kMetallicRoughnessMap : 0u) |
+         (m.normalTexture.used() ? shared::kNormalMap : 0u) | (m.occlusionTexture.used() ? shared::kOcclusionMap : 0u) |
+         (m.emissiveTexture.used() ? shared::kEmissiveMap : 0u);
+}
+
+static_assert(sizeof(shared::MaterialBlock) <= kMaterialStride);
+
 shared::MaterialBlock materialBlock(const scene::Material& m) {
   shared::MaterialBlock block{};
   block.baseColor = m.baseColor;
@@ -28,9 +37,7 @@ shared::MaterialBlock materialBlock(const scene::Material& m) {
   block.normalScale = m.normalScale;
   block.occlusionStrength = m.occlusionStrength;
   block.alphaCutoff = m.alphaCutoff;
-  block.flags = (m.alphaMode == scene::AlphaMode::kMask ? shared::kMaterialMask : 0u) |
-                (m.doubleSided ? shared::kMaterialDoubleSided : 0u) | (m.unlit ? shared::kMaterialUnlit : 0u) |
-                (m.normalTexture.used() ? shared::kMaterialNormalMap : 0u);
+  block.flags = (m.doubleSided ? shared::kMaterialDoubleSided : 0u) | (m.unlit ? shared::kMaterialUnlit : 0u);
   block.baseColorUv = uvTransform(m.baseColorTexture);
   block.metallicRoughnessUv = uvTransform(m.metallicRoughnessTexture);
   block.normalUv = uvTransform(m.normalTexture);
@@ -44,6 +51,7 @@ Result<MaterialBindings> bindMaterial(TextureUploader& textures, const scene::Ma
   MaterialBindings b;
   b.alphaMode = m.alphaMode;
   b.doubleSided = m.doubleSided;
+  b.textures = textureBits(m);
   const struct { const scene::TextureUse& use; Content content; TextureBinding& out; } all[] = {
       {m.baseColorTexture, Content::kColor, b.baseColor},
       {m.baseColorTexture, Content::kAlphaTest, b.alpha},
@@ -116,12 +124,14 @@ Result<std::shared_ptr<const SceneResources>> uploadScene(gpu::Device& device, c
   if (Result<void> done = uploadGeometry(device, scene, *resources); !done) return done.error();
 
   TextureUploader textures(device, scene);
-  std::vector<shared::MaterialBlock> blocks;
+  std::vector<std::byte> blocks;
   const auto add = [&](const scene::Material& material) -> Result<void> {
     Result<MaterialBindings> bound = bindMaterial(textures, material);
     if (!bound) return bound.error();
     resources->materials.push_back(*bound);
-    blocks.push_back(materialBlock(material));
+    const shared::MaterialBlock block = materialBlock(material);
+    blocks.resize(blocks.size() + kMaterialStride);
+    std::memcpy(blocks.data() + blocks.size() - kMaterialStride, &block, sizeof(block));
     return {};
   };
   for (const scene::Material& material : scene.materials) {
@@ -130,7 +140,7 @@ Result<std::shared_ptr<const SceneResources>> uploadScene(gpu::Device& device, c
   if (Result<void> done = add(scene::Material{}); !done) return done.error();
   resources->images = textures.takeImages();
 
-  Result<gpu::Buffer> made = uploadBuffer(device, "materials", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, blocks);
+  Result<gpu::Buffer> made = uploadBuffer(device, "materials", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, blocks);
   if (!made) return made.error();
   resources->materialBlocks = made.take();
   return std::shared_ptr<const SceneResources>(std::move(resources));

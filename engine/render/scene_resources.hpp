@@ -18,6 +18,7 @@ struct MaterialBindings {
   TextureBinding baseColor, alpha, metallicRoughness, normal, occlusion, emissive;
   scene::AlphaMode alphaMode = scene::AlphaMode::kOpaque;
   bool doubleSided = false;
+  std::uint32_t textures = 0;   ///< shared::k...Map bits of the maps it has
 };
 
 /// Where a primitive lies in the shared buffers.
@@ -28,8 +29,12 @@ struct DrawRange {
   scene::Bounds bounds;         ///< mesh space
 };
 
+/// A whole multiple of every offset alignment that Vulkan 1.3 lets a device ask of a uniform buffer.
+inline constexpr VkDeviceSize kMaterialStride = 256;
+
 struct SceneResources {
-  gpu::Buffer vertices, indices, materialBlocks;
+  gpu::Buffer vertices, indices;
+  gpu::Buffer materialBlocks;                  ///< one shared::MaterialBlock every kMaterialStride bytes
   std::vector<gpu::Image> images;
   std::vector<std::vector<DrawRange>> meshes;  ///< by mesh, then by primitive
   std::vector<MaterialBindings> materials;     ///< one more than the scene's: the last is glTF's default material

@@ -6,7 +6,7 @@
 
 layout(push_constant, scalar) uniform Push { mat4 clipFromWorld; };
 layout(binding = 0, scalar) readonly buffer Instances { InstanceBlock instances[]; };
-layout(binding = 1, scalar) readonly buffer Materials { MaterialBlock materials[]; };
+layout(binding = 1, scalar) uniform Material { MaterialBlock material; };
 layout(location = 0) in vec3 inPosition;
 layout(location = 3) in vec2 inUv;
 layout(location = 4) in vec4 inColor;
@@ -15,9 +15,8 @@ layout(location = 0) out vec3 outUvAlpha;
 layout(location = 1) flat out float outCutoff;
 
 void main() {
-  uint material = instances[gl_InstanceIndex].material;
-  UvTransform t = materials[material].baseColorUv;
-  outUvAlpha = vec3(dot(t.u, vec3(inUv, 1.0)), dot(t.v, vec3(inUv, 1.0)), materials[material].baseColor.a * inColor.a);
-  outCutoff = materials[material].alphaCutoff;
+  UvTransform t = material.baseColorUv;
+  outUvAlpha = vec3(dot(t.u, vec3(inUv, 1.0)), dot(t.v, vec3(inUv, 1.0)), material.baseColor.a * inColor.a);
+  outCutoff = material.alphaCutoff;
   gl_Position = clipFromWorld * (instances[gl_InstanceIndex].worldFromObject * vec4(inPosition, 1.0));
 }

@@ -21,5 +21,5 @@ void main() {
     vec4 scatter = texelFetch(scatterTarget, pixel, 0);
     color = color * scatter.a + scatter.rgb;
   }
-  outPicture = vec4(srgbFromLinear(clamp(toneMap(exposure * color), 0.0, 1.0)), 1.0);
+  outPicture = vec4(srgbFromLinear(toneMap(exposure * color)), 1.0);
 }

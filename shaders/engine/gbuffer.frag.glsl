@@ -19,7 +19,7 @@ void main() {
   // Sampled before the discard: derivatives are undefined after it.
   MaterialSample s = sampleMaterial();
   if (MASK) {
-    if (cutOut(instances[inInstance].material)) discard;
+    if (cutOut()) discard;
   }
   outBase = vec4(clamp(s.baseColor.rgb, 0.0, 1.0), s.occlusion);
   outNormal = vec4(octFromUnit(s.normal), s.unlit ? 1.0 : s.metallic * 0.5, s.roughness);

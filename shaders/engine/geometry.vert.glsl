@@ -21,7 +21,7 @@ layout(location = 1) out vec3 outNormal;
 layout(location = 2) out vec4 outTangent;
 layout(location = 3) out vec2 outUv;
 layout(location = 4) out vec4 outColor;
-layout(location = 5) flat out uint outInstance;
+layout(location = 5) flat out uint outMirrored;
 
 void main() {
   vec4 world = instances[gl_InstanceIndex].worldFromObject * vec4(inPosition, 1.0);
@@ -32,6 +32,6 @@ void main() {
   outTangent = vec4(mat3(instances[gl_InstanceIndex].worldFromObject) * inTangent.xyz, inTangent.w);
   outUv = inUv;
   outColor = inColor;
-  outInstance = gl_InstanceIndex;
+  outMirrored = instances[gl_InstanceIndex].mirrored;
   gl_Position = view.clipFromWorld * world;
 }

@@ -11,9 +11,9 @@
 layout(constant_id = 0) const bool BASE = true;
 layout(constant_id = 1) const int SHADOW_SLOTS = 4;
 
-layout(push_constant, scalar) uniform Push { uint firstShadowed, shadowedCount, firstUnshadowed, unshadowedCount; };
+layout(push_constant, scalar) uniform Push { uint firstUnshadowed, unshadowedCount; };
 layout(binding = 0, scalar) uniform ViewUniform { ViewBlock view; };
-layout(binding = 1, scalar) readonly buffer Lights { LightBlock lights[]; };
+layout(binding = 1, scalar) uniform ShadowedLights { LightBlock shadowedLights[kShadowSlots]; };
 layout(binding = 2) uniform sampler2D baseTarget;
 layout(binding = 3) uniform sampler2D normalTarget;
 layout(binding = 4) uniform sampler2D emissiveTarget;
@@ -22,6 +22,7 @@ layout(binding = 6) uniform sampler2DArray shadowMap0;
 layout(binding = 7) uniform sampler2DArray shadowMap1;
 layout(binding = 8) uniform sampler2DArray shadowMap2;
 layout(binding = 9) uniform sampler2DArray shadowMap3;
+layout(binding = 10, scalar) readonly buffer Lights { LightBlock lights[]; };
 
 layout(location = 0) out vec4 outColor;
 
@@ -46,7 +47,7 @@ void main() {
   if (coded.z < 0.75) {  // above: unlit
     Surface s = makeSurface(position, unitFromOct(coded.xy), view.eye, base.rgb, coded.z * 2.0, coded.w, base.a);
     if (BASE) color += reflectSky(view, s);
-    color += reflectLights(s, LightRange(firstShadowed, shadowedCount, firstUnshadowed, unshadowedCount));
+    color += reflectLights(s, firstUnshadowed, unshadowedCount);
   }
   outColor = vec4(color, 1.0);
 }

@@ -9,12 +9,13 @@
 
 layout(constant_id = 1) const int SHADOW_SLOTS = 4;
 
-layout(push_constant, scalar) uniform Push { uint firstShadowed, shadowedCount, firstUnshadowed, unshadowedCount; };
-layout(binding = 9, scalar) readonly buffer Lights { LightBlock lights[]; };
+layout(push_constant, scalar) uniform Push { uint firstUnshadowed, unshadowedCount; };
+layout(binding = 9, scalar) uniform ShadowedLights { LightBlock shadowedLights[kShadowSlots]; };
 layout(binding = 10) uniform sampler2DArray shadowMap0;
 layout(binding = 11) uniform sampler2DArray shadowMap1;
 layout(binding = 12) uniform sampler2DArray shadowMap2;
 layout(binding = 13) uniform sampler2DArray shadowMap3;
+layout(binding = 14, scalar) readonly buffer Lights { LightBlock lights[]; };
 
 layout(location = 0) out vec4 outColor;
 
@@ -27,7 +28,7 @@ void main() {
   if (!m.unlit) {
     Surface s = makeSurface(inPosition, m.normal, view.eye, m.baseColor.rgb, m.metallic, m.roughness, m.occlusion);
     color = m.emissive + reflectSky(view, s) +
-            reflectLights(s, LightRange(firstShadowed, shadowedCount, firstUnshadowed, unshadowedCount));
+            reflectLights(s, firstUnshadowed, unshadowedCount);
   }
   outColor = vec4(color, clamp(m.baseColor.a, 0.0, 1.0));
 }

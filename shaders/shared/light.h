@@ -10,7 +10,7 @@ inline constexpr uint kLightDirectional = 0, kLightSpot = 1, kLightPoint = 2;
 const uint kLightDirectional = 0, kLightSpot = 1, kLightPoint = 2;
 #endif
 
-struct LightBlock {
+struct LightCore {
   vec3 position;          // spot, point: world, m
   uint kind;
   vec3 direction;         // directional, spot: unit, the way the light travels
@@ -18,11 +18,23 @@ struct LightBlock {
   vec3 intensity;         // colour times intensity: lux (directional) or candela
   float spotScale;        // the extension's lightAngleScale and lightAngleOffset
   float spotOffset;
+};
+
+struct LightBlock {
+  LightCore core;
   float texelSize;        // directional: m per shadow map texel; others: m per texel at 1 m along the face's axis
   float shadowSize;       // texels a side
   uint faceCount;         // 1, or 6 for a point light
   mat4 clipFromWorld[6];  // of each face; only the first faceCount are used
 };
+
+// Lights that one pass shadows; an array of so many is a whole multiple of any offset alignment that a uniform buffer asks for.
+#ifdef __cplusplus
+inline constexpr uint kShadowSlots = 4;
+static_assert(kShadowSlots * sizeof(LightBlock) % 256 == 0);
+#else
+const uint kShadowSlots = 4;
+#endif
 
 TY_SHARED_END
 #endif

@@ -5,17 +5,23 @@
 TY_SHARED_BEGIN
 
 #ifdef __cplusplus
-inline constexpr uint kMaterialMask = 1, kMaterialDoubleSided = 2, kMaterialUnlit = 4, kMaterialNormalMap = 8;
+inline constexpr uint kMaterialDoubleSided = 1, kMaterialUnlit = 2;
 #else
-const uint kMaterialMask = 1, kMaterialDoubleSided = 2, kMaterialUnlit = 4, kMaterialNormalMap = 8;
+const uint kMaterialDoubleSided = 1, kMaterialUnlit = 2;
 #endif
 
 struct InstanceBlock {
   mat4 worldFromObject;
   vec3 normalX, normalY, normalZ;  // columns of the normal matrix (cofactors of worldFromObject), not normalised
-  uint material;
   uint mirrored;                   // 1: the transform turns triangles over, so front faces are the clockwise ones
 };
+
+// Bits of the textures a material has; shaders are specialized on them.
+#ifdef __cplusplus
+inline constexpr uint kBaseColorMap = 1, kMetallicRoughnessMap = 2, kNormalMap = 4, kOcclusionMap = 8, kEmissiveMap = 16;
+#else
+const uint kBaseColorMap = 1, kMetallicRoughnessMap = 2, kNormalMap = 4, kOcclusionMap = 8, kEmissiveMap = 16;
+#endif
 
 // One texture's transform: uv' = (dot(u, vec3(uv, 1)), dot(v, vec3(uv, 1))).
 struct UvTransform {

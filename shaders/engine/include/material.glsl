@@ -5,8 +5,9 @@
 #include "shared/view.h"
 
 layout(binding = 0, scalar) uniform ViewUniform { ViewBlock view; };
-layout(binding = 1, scalar) readonly buffer Instances { InstanceBlock instances[]; };
-layout(binding = 2, scalar) readonly buffer Materials { MaterialBlock materials[]; };
+// A uniform block and not an array in a storage buffer: llvmpipe loads zeros from storage buffers in the helper invocations
+// beyond a triangle's edge, and texture coordinates made from them break the choice of mip level there.
+layout(binding = 2, scalar) uniform Material { MaterialBlock material; };
 layout(binding = 3) uniform sampler2D baseColorMap;          // sRGB
 layout(binding = 4) uniform sampler2D alphaMap;              // the same image, mip 0 only, bilinear
 layout(binding = 5) uniform sampler2D metallicRoughnessMap;  // G roughness, B metallic
@@ -14,12 +15,15 @@ layout(binding = 6) uniform sampler2D normalMap;
 layout(binding = 7) uniform sampler2D occlusionMap;          // R
 layout(binding = 8) uniform sampler2D emissiveMap;           // sRGB
 
+// Which maps the material has (k...Map); the others are not looked up and stand for 1.
+layout(constant_id = 2) const uint TEXTURES = 31u;
+
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inNormal;
 layout(location = 2) in vec4 inTangent;
 layout(location = 3) in vec2 inUv;
 layout(location = 4) in vec4 inColor;
-layout(location = 5) flat in uint inInstance;
+layout(location = 5) flat in uint inMirrored;
 
 struct MaterialSample {
   vec4 baseColor;
@@ -31,43 +35,51 @@ struct MaterialSample {
 
 vec2 transformUv(UvTransform t, vec2 uv) { return vec2(dot(t.u, vec3(uv, 1.0)), dot(t.v, vec3(uv, 1.0))); }
 
+bool has(uint map) { return (TEXTURES & map) != 0u; }
+
 // The alpha test sees the full-resolution image, bilinear: the shadow pass (caster_mask.frag) does the same, and so
 // does a ray tracer, so that all agree on where a leaf ends. Only colours use mipmaps.
-bool cutOut(uint material) {
-  vec2 uv = transformUv(materials[material].baseColorUv, inUv);
-  return textureLod(alphaMap, uv, 0.0).a * materials[material].baseColor.a * inColor.a < materials[material].alphaCutoff;
+bool cutOut() {
+  float alpha = has(kBaseColorMap) ? textureLod(alphaMap, transformUv(material.baseColorUv, inUv), 0.0).a : 1.0;
+  return alpha * material.baseColor.a * inColor.a < material.alphaCutoff;
 }
 
-vec3 shadingNormal(uint material, bool flip) {
+vec3 shadingNormal(bool flip) {
   vec3 n = normalize(inNormal);
-  if ((materials[material].flags & kMaterialNormalMap) != 0u) {
+  if (has(kNormalMap)) {
+    vec3 m = texture(normalMap, transformUv(material.normalUv, inUv)).xyz * 2.0 - 1.0;
+    m.xy *= material.normalScale;
     vec3 t = inTangent.xyz - n * dot(n, inTangent.xyz);
     float length2 = dot(t, t);
     if (length2 > 1e-12) {
       t *= inversesqrt(length2);
-      vec3 b = cross(n, t) * inTangent.w;
-      vec3 m = texture(normalMap, transformUv(materials[material].normalUv, inUv)).xyz * 2.0 - 1.0;
-      m.xy *= materials[material].normalScale;
-      n = normalize(t * m.x + b * m.y + n * m.z);
+      n = normalize(t * m.x + cross(n, t) * inTangent.w * m.y + n * m.z);
     }
   }
   return flip ? -n : n;
 }
 
 MaterialSample sampleMaterial() {
-  uint material = instances[inInstance].material;
-  uint flags = materials[material].flags;
-  bool front = gl_FrontFacing != (instances[inInstance].mirrored != 0u);
+  bool front = gl_FrontFacing != (inMirrored != 0u);
   MaterialSample s;
-  s.baseColor = texture(baseColorMap, transformUv(materials[material].baseColorUv, inUv)) * materials[material].baseColor * inColor;
-  s.normal = shadingNormal(material, (flags & kMaterialDoubleSided) != 0u && !front);
-  vec4 mr = texture(metallicRoughnessMap, transformUv(materials[material].metallicRoughnessUv, inUv));
-  s.metallic = clamp(mr.b * materials[material].metallic, 0.0, 1.0);
-  s.roughness = clamp(mr.g * materials[material].roughness, 0.0, 1.0);
-  float occlusion = texture(occlusionMap, transformUv(materials[material].occlusionUv, inUv)).r;
-  s.occlusion = 1.0 + materials[material].occlusionStrength * (occlusion - 1.0);
-  s.emissive = texture(emissiveMap, transformUv(materials[material].emissiveUv, inUv)).rgb * materials[material].emissive;
-  s.unlit = (flags & kMaterialUnlit) != 0u;
+  s.baseColor = material.baseColor * inColor;
+  if (has(kBaseColorMap)) s.baseColor *= texture(baseColorMap, transformUv(material.baseColorUv, inUv));
+  s.normal = shadingNormal((material.flags & kMaterialDoubleSided) != 0u && !front);
+  s.metallic = material.metallic;
+  s.roughness = material.roughness;
+  if (has(kMetallicRoughnessMap)) {
+    vec4 mr = texture(metallicRoughnessMap, transformUv(material.metallicRoughnessUv, inUv));
+    s.metallic *= mr.b;
+    s.roughness *= mr.g;
+  }
+  s.occlusion = 1.0;
+  if (has(kOcclusionMap)) {
+    float occlusion = texture(occlusionMap, transformUv(material.occlusionUv, inUv)).r;
+    s.occlusion = 1.0 + material.occlusionStrength * (occlusion - 1.0);
+  }
+  s.emissive = material.emissive;
+  if (has(kEmissiveMap)) s.emissive *= texture(emissiveMap, transformUv(material.emissiveUv, inUv)).rgb;
+  s.unlit = (material.flags & kMaterialUnlit) != 0u;
   return s;
 }
 

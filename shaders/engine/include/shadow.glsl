@@ -5,7 +5,7 @@
 #define TYNDALL_SHADOW_GLSL
 #include "shared/light.h"
 
-// The includer declares `LightBlock lights[]`.
+// The includer declares `LightBlock shadowedLights[kShadowSlots]`.
 
 // Face of a cube by the major axis, in the order +X -X +Y -Y +Z -Z.
 uint cubeFace(vec3 d) {
@@ -21,20 +21,20 @@ uint cubeFace(vec3 d) {
 const float kNormalOffsetTexels = 2.0;
 const float kLightOffsetTexels = 0.5;
 
-// Clip position of the receiver in the map of lights[index] (w divided out) and the layer; xy outside [-1, 1]: unshadowed.
-// (An index, not a struct: copies of a light with its six matrices are dear on software devices.)
-vec4 shadowPlace(uint index, vec3 position, vec3 normal, vec3 towardsLight) {
-  uint kind = lights[index].kind;
-  vec3 from = position - lights[index].position;
+// Clip position of the receiver in the map of shadowedLights[slot] (w divided out) and the layer; xy outside [-1, 1]: unshadowed.
+// (A slot, not a struct: copies of a light with its six matrices are dear on software devices.)
+vec4 shadowPlace(uint slot, vec3 position, vec3 normal, vec3 towardsLight) {
+  uint kind = shadowedLights[slot].core.kind;
+  vec3 from = position - shadowedLights[slot].core.position;
   vec3 a = abs(from);
   uint face = kind == kLightPoint ? cubeFace(from) : 0u;
-  float texel = lights[index].texelSize;
-  if (kind == kLightSpot) texel *= max(dot(from, lights[index].direction), 0.0);
+  float texel = shadowedLights[slot].texelSize;
+  if (kind == kLightSpot) texel *= max(dot(from, shadowedLights[slot].core.direction), 0.0);
   if (kind == kLightPoint) texel *= max(a.x, max(a.y, a.z));
   float cosine = dot(normal, towardsLight);
   float sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
   vec3 p = position + texel * (kNormalOffsetTexels * sine * normal + kLightOffsetTexels * towardsLight);
-  vec4 clip = lights[index].clipFromWorld[face] * vec4(p, 1.0);
+  vec4 clip = shadowedLights[slot].clipFromWorld[face] * vec4(p, 1.0);
   if (clip.w <= 0.0) return vec4(2.0, 2.0, 0.0, 0.0);  // behind a spot light
   return vec4(clip.xyz / clip.w, float(face));
 }

@@ -9,8 +9,9 @@ vec3 skyGradient(ViewBlock view, vec3 d) {
   // Optical path through air grows about as 1/sin(elevation): the horizon's whiteness fades in the first few degrees.
   float h = clamp(d.y, 0.0, 1.0);
   vec3 above = mix(view.skyHorizon, view.skyZenith, 1.0 - exp2(-6.0 * h));
-  // The horizon line is softened over one degree.
-  return mix(view.ground, above, smoothstep(-0.0175, 0.0, d.y));
+  // Haze over the ground: the same air that whitens the horizon from above hides the ground towards it.
+  vec3 below = mix(view.ground, view.skyHorizon, exp2(12.0 * min(d.y, 0.0)));
+  return d.y >= 0.0 ? above : below;
 }
 
 // Two Henyey-Greenstein lobes stand for the aureole: Henyey and Greenstein 1941, Diffuse Radiation in the Galaxy.
@@ -27,16 +28,19 @@ vec3 skyRadiance(ViewBlock view, vec3 d) {
   return skyGradient(view, d) + view.sunIrradiance * glow;
 }
 
+// The sky's light on surfaces is shadowed by nothing but occlusion maps, so that rooms would glow with all of it.
+const float kSkyShare = 0.5;
+
 // Radiance reflected from the sky's light: Lambert under the hemisphere's mean plus the specular lobe's mean direction.
 // `s` as in brdf.glsl. No visibility but the occlusion map's.
 vec3 reflectSky(ViewBlock view, Surface s) {
-  vec3 mean = mix(view.skyHorizon, view.skyZenith, 0.6);
+  vec3 mean = mix(view.skyHorizon, view.skyZenith, 0.5);
   vec3 around = mix(view.ground, mean, 0.5 + 0.5 * s.normal.y);
   float nDotV = clamp(dot(s.normal, s.towardsEye), 0.0, 1.0);
   float roughness = sqrt(s.alpha);
   vec3 mirrored = skyGradient(view, reflect(-s.towardsEye, s.normal));
   vec3 specular = specularAlbedo(s.f0, roughness, nDotV) * mix(mirrored, around, roughness);
-  return s.occlusion * (s.diffuse * around + specular);
+  return kSkyShare * s.occlusion * (s.diffuse * around + specular);
 }
 
 #endif

@@ -53,7 +53,8 @@ Shot Stage::render(const scene::Scene& scene, const scene::CameraView& camera, c
   Shot shot;
   shot.width = options.width;
   shot.height = options.height;
-  EXPECT_TRUE(renderer_->setScene(scene).ok());
+  Renderer& renderer = options.renderer ? *options.renderer : *renderer_;
+  EXPECT_TRUE(renderer.setScene(scene).ok());
   Renderer::Input input{scene, options.worldFromNode ? *options.worldFromNode : scene::worldMatrices(scene, 0), camera, lights};
   input.width = options.width;
   input.height = options.height;
@@ -62,12 +63,12 @@ Shot Stage::render(const scene::Scene& scene, const scene::CameraView& camera, c
   input.effect = options.effect;
 
   Graph graph(*device_, *memory_);
-  Result<FrameOutput> output = renderer_->addFrame(graph, input);
+  Result<FrameOutput> output = renderer.addFrame(graph, input);
   if (!output) throw std::runtime_error(output.error().message);
   Copy color, distance, picture;
   const View view = makeView(camera, options.width, options.height);
   addCopy(*device_, graph, output->color, color);
-  addCopy(*device_, graph, renderer_->addDistance(graph, view, output->depth), distance);
+  addCopy(*device_, graph, renderer.addDistance(graph, view, output->depth), distance);
   addCopy(*device_, graph, output->picture, picture);
   Result<void> compiled = graph.compile();
   if (!compiled) throw std::runtime_error(compiled.error().message);

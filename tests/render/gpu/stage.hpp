@@ -27,6 +27,7 @@ class Stage {
     std::uint32_t width = 64, height = 64;
     FrameSettings settings;
     Effect* effect = nullptr;
+    Renderer* renderer = nullptr;   ///< null: the stage's own
     std::optional<std::vector<glm::mat4>> worldFromNode;
   };
   Shot render(const scene::Scene& scene, const scene::CameraView& camera, const std::vector<scene::LightView>& lights, Options options);

@@ -70,6 +70,26 @@ TEST_F(SurfaceTest, CutOutsAndTheirShadowsAgree) {
   EXPECT_LT(radianceAt(camera, shot, {2.0f, 0, 0}).r, 0.4f * litFloor);
 }
 
+// Palette textures give each face one texel; a triangle's edges must not see others through a wrong choice of mip level.
+TEST_F(SurfaceTest, ConstantTextureCoordinatesGiveOneColor) {
+  Level level;
+  scene::Image image{"palette", 64, 64, {}};
+  for (int i = 0; i < 64 * 64; ++i) {
+    const bool red = i % 64 / 8 == 2 && i / 64 / 8 == 2;
+    for (const int v : {red ? 255 : 0, 0, red ? 0 : 255, 255}) image.rgba.push_back(static_cast<std::uint8_t>(v));
+  }
+  level.scene.images.push_back(image);
+  level.scene.textures.push_back({0, {}});
+  scene::Material m;
+  m.baseColorTexture.texture = 0;
+  level.quad({0, 0, -5}, {9, 0, 0}, {0, 9, 0}, level.material(m));
+  for (scene::Vertex& v : level.scene.meshes[0].primitives[0].vertices) v.uv = glm::vec2(20.0f / 64);
+  Stage::Options options;
+  options.settings.debugView = "base_color";
+  const Shot shot = stage().render(level.scene, lookAt({0, 0, 0}, {0, 0, -1}), {}, options);
+  for (const glm::u8vec4& p : shot.picture) ASSERT_EQ(p, glm::u8vec4(255, 0, 0, 255));
+}
+
 TEST_F(SurfaceTest, BlendedSurfacesAreDrawnBackToFront) {
   Level level;
   level.quad({0, 0, -5}, {9, 0, 0}, {0, 9, 0}, level.material(unlit({0, 0, 1, 1})));
