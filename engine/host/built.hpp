@@ -16,8 +16,8 @@ struct Built {
   Structure structure;
   Layout layout;
   std::vector<PassRun> runs;
-  std::vector<std::vector<PassUse>> uses;     ///< of each pass of the layout
-  std::vector<PipelinePtr> pipelines;         ///< of each pass
+  std::vector<std::vector<PassUse>> uses;  ///< of each pass of the layout
+  std::vector<PipelinePtr> pipelines;      ///< of each pass
   Resources resources;
   UniformRing uniforms;
 };
@@ -26,9 +26,9 @@ struct Built {
 struct FrameRefs {
   std::vector<render::ImageRef> images;
   std::vector<render::BufferRef> buffers;
-  std::vector<bool> imageHasContents;         ///< false: no pass of this frame writes it
+  std::vector<bool> imageHasContents;  ///< false: no pass of this frame writes it
   render::ImageRef output, depth;
-  std::vector<render::ImageRef> shadowMaps;   ///< of each light
+  std::vector<render::ImageRef> shadowMaps;  ///< of each light
 };
 
 /// Declares all passes of one frame. Passes are named "name", or "name [light 2]" where they repeat per light.

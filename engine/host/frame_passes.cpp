@@ -41,8 +41,10 @@ void bind(PassContext& context, const Run& run) {
       descriptors.storageBuffer(b.binding, context.buffer(run.refs->buffers[b.index]));
     } else {
       const VkImageView view = context.view(run.image(b.source, b.index), viewOf(run.built->layout, b));
-      if (b.access == TY_ACCESS_SAMPLED) descriptors.sampled(b.binding, view, samplerOf(context.device(), b.sampler));
-      else descriptors.storageImage(b.binding, view);
+      if (b.access == TY_ACCESS_SAMPLED)
+        descriptors.sampled(b.binding, view, samplerOf(context.device(), b.sampler));
+      else
+        descriptors.storageImage(b.binding, view);
     }
   }
   descriptors.push();
@@ -52,8 +54,10 @@ VkClearColorValue clearColor(const Run& run, const TyTarget& target) {
   VkClearColorValue value{};
   const bool integer = target.source == TY_SOURCE_IMAGE && isInteger(run.built->layout.images[target.index].d.format);
   for (int i = 0; i < 4; ++i) {
-    if (integer) value.uint32[i] = static_cast<std::uint32_t>(std::clamp(target.clear[i], 0.0f, 4294967040.0f));
-    else value.float32[i] = target.clear[i];
+    if (integer)
+      value.uint32[i] = static_cast<std::uint32_t>(std::clamp(target.clear[i], 0.0f, 4294967040.0f));
+    else
+      value.float32[i] = target.clear[i];
   }
   return value;
 }
@@ -61,9 +65,11 @@ VkClearColorValue clearColor(const Run& run, const TyTarget& target) {
 void beginRendering(PassContext& context, const Run& run) {
   const auto view = [](const TyTarget& t) { return gpu::ViewDesc{t.mip, 1, t.layer, 1, false}; };
   std::vector<PassContext::ColorAttachment> colors;
-  for (const TyTarget& t : run.layoutPass().targets) colors.push_back({run.image(t.source, t.index), t.load == 0, clearColor(run, t), view(t)});
+  for (const TyTarget& t : run.layoutPass().targets)
+    colors.push_back({run.image(t.source, t.index), t.load == 0, clearColor(run, t), view(t)});
   if (const auto& t = run.layoutPass().depthTarget) {
-    const PassContext::DepthAttachment depth{run.image(t->source, t->index), t->load == 0, t->clear[0], false, view(*t)};
+    const PassContext::DepthAttachment depth{run.image(t->source, t->index), t->load == 0, t->clear[0], false,
+                                             view(*t)};
     context.beginRendering(std::move(colors), &depth);
   } else {
     context.beginRendering(std::move(colors));
@@ -80,8 +86,10 @@ void record(PassContext& context, const Run& run) {
     return;
   }
   bind(context, run);
-  if (d.kind == TY_PASS_COMPUTE) vkCmdDispatch(context.commands(), d.groups[0], d.groups[1], d.groups[2]);
-  else vkCmdDispatchIndirect(context.commands(), context.buffer(run.refs->buffers[d.indirect_buffer]), d.indirect_offset);
+  if (d.kind == TY_PASS_COMPUTE)
+    vkCmdDispatch(context.commands(), d.groups[0], d.groups[1], d.groups[2]);
+  else
+    vkCmdDispatchIndirect(context.commands(), context.buffer(run.refs->buffers[d.indirect_buffer]), d.indirect_offset);
 }
 
 Use useFor(PassAccess access, bool compute, bool partOfWritten) {
@@ -101,7 +109,8 @@ Use useFor(PassAccess access, bool compute, bool partOfWritten) {
   return Use::kSampledCompute;
 }
 
-void clearHistory(render::Graph& graph, const std::shared_ptr<Built>& built, const std::shared_ptr<const FrameRefs>& refs, const std::string& owner) {
+void clearHistory(render::Graph& graph, const std::shared_ptr<Built>& built,
+                  const std::shared_ptr<const FrameRefs>& refs, const std::string& owner) {
   auto pass = graph.pass("clear history", owner);
   std::vector<std::uint32_t> images, buffers;
   for (std::uint32_t i = 0; i < refs->images.size(); ++i)
@@ -111,15 +120,19 @@ void clearHistory(render::Graph& graph, const std::shared_ptr<Built>& built, con
   pass.keep().run([built, refs, images, buffers](PassContext& context) {
     for (const std::uint32_t i : images) {
       const bool depth = built->layout.images[i].d.format == TY_FORMAT_D32_FLOAT;
-      const VkImageSubresourceRange all{static_cast<VkImageAspectFlags>(depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT), 0,
-                                        VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+      const VkImageSubresourceRange all{
+          static_cast<VkImageAspectFlags>(depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT), 0,
+          VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
       const VkImage image = context.image(refs->images[i]);
       const VkClearColorValue black{};
       const VkClearDepthStencilValue zero{};
-      if (depth) vkCmdClearDepthStencilImage(context.commands(), image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &zero, 1, &all);
-      else vkCmdClearColorImage(context.commands(), image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &black, 1, &all);
+      if (depth)
+        vkCmdClearDepthStencilImage(context.commands(), image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &zero, 1, &all);
+      else
+        vkCmdClearColorImage(context.commands(), image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &black, 1, &all);
     }
-    for (const std::uint32_t i : buffers) vkCmdFillBuffer(context.commands(), context.buffer(refs->buffers[i]), 0, VK_WHOLE_SIZE, 0);
+    for (const std::uint32_t i : buffers)
+      vkCmdFillBuffer(context.commands(), context.buffer(refs->buffers[i]), 0, VK_WHOLE_SIZE, 0);
     built->resources.historyCleared = true;
   });
 }
@@ -137,9 +150,10 @@ std::shared_ptr<FrameRefs> declare(const render::EffectInput& input, Built& buil
     refs->imageHasContents.push_back(history);
   }
   for (std::size_t i = 0; i < layout.buffers.size(); ++i)
-    refs->buffers.push_back(isHistory(layout.buffers[i])
-                                ? input.graph.import(built.resources.buffers[i])
-                                : input.graph.buffer({.name = layout.buffers[i].name, .size = layout.buffers[i].d.size}, owner));
+    refs->buffers.push_back(
+        isHistory(layout.buffers[i])
+            ? input.graph.import(built.resources.buffers[i])
+            : input.graph.buffer({.name = layout.buffers[i].name, .size = layout.buffers[i].d.size}, owner));
   gpu::ImageDesc output;
   output.name = owner + " output";
   output.format = VK_FORMAT_R32G32B32A32_SFLOAT;
@@ -148,36 +162,45 @@ std::shared_ptr<FrameRefs> declare(const render::EffectInput& input, Built& buil
   refs->output = input.graph.image(output, owner);
   for (const PassRun& run : built.runs)
     for (const PassUse& use : built.uses[run.pass])
-      if (use.resource.source == TY_SOURCE_IMAGE && writesTo(use.access)) refs->imageHasContents[use.resource.index] = true;
+      if (use.resource.source == TY_SOURCE_IMAGE && writesTo(use.access))
+        refs->imageHasContents[use.resource.index] = true;
   return refs;
 }
 
-void readCounters(render::Graph& graph, const std::shared_ptr<Built>& built, const std::shared_ptr<const FrameRefs>& refs,
-                  const std::string& owner, std::uint32_t slot) {
+void readCounters(render::Graph& graph, const std::shared_ptr<Built>& built,
+                  const std::shared_ptr<const FrameRefs>& refs, const std::string& owner, std::uint32_t slot) {
   const auto from = refs->buffers[built->layout.counters->buffer];
   const auto to = graph.import(built->resources.counterSlots[slot]);
-  graph.pass("read counters", owner).use(from, Use::kTransferRead).use(to, Use::kTransferWrite).keep().run([built, from, to, slot](PassContext& context) {
-    const VkBufferCopy copy{0, 0, built->resources.counterSlots[slot].size()};
-    vkCmdCopyBuffer(context.commands(), context.buffer(from), context.buffer(to), 1, &copy);
-    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                             VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
-    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    info.memoryBarrierCount = 1;
-    info.pMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(context.commands(), &info);
-  });
+  graph.pass("read counters", owner)
+      .use(from, Use::kTransferRead)
+      .use(to, Use::kTransferWrite)
+      .keep()
+      .run([built, from, to, slot](PassContext& context) {
+        const VkBufferCopy copy{0, 0, built->resources.counterSlots[slot].size()};
+        vkCmdCopyBuffer(context.commands(), context.buffer(from), context.buffer(to), 1, &copy);
+        VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,   nullptr,
+                                 VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                 VK_PIPELINE_STAGE_2_HOST_BIT,         VK_ACCESS_2_HOST_READ_BIT};
+        VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+        info.memoryBarrierCount = 1;
+        info.pMemoryBarriers = &barrier;
+        vkCmdPipelineBarrier2(context.commands(), &info);
+      });
 }
 
 }  // namespace
 
-bool isRunOf(const std::string& graphName, const std::string& name) { return graphName == name || graphName.starts_with(name + " [light "); }
+bool isRunOf(const std::string& graphName, const std::string& name) {
+  return graphName == name || graphName.starts_with(name + " [light ");
+}
 
-std::shared_ptr<const FrameRefs> addFramePasses(const render::EffectInput& input, const std::shared_ptr<Built>& built, const std::string& owner,
-                                                std::uint32_t slot) {
+std::shared_ptr<const FrameRefs> addFramePasses(const render::EffectInput& input, const std::shared_ptr<Built>& built,
+                                                const std::string& owner, std::uint32_t slot) {
   const auto refs = declare(input, *built, owner);
   const Layout& layout = built->layout;
-  const bool history = std::any_of(layout.images.begin(), layout.images.end(), [](const LayoutImage& i) { return isHistory(i); }) ||
-                       std::any_of(layout.buffers.begin(), layout.buffers.end(), [](const LayoutBuffer& b) { return isHistory(b); });
+  const bool history =
+      std::any_of(layout.images.begin(), layout.images.end(), [](const LayoutImage& i) { return isHistory(i); }) ||
+      std::any_of(layout.buffers.begin(), layout.buffers.end(), [](const LayoutBuffer& b) { return isHistory(b); });
   if (history && !built->resources.historyCleared) clearHistory(input.graph, built, refs, owner);
   const bool counters = layout.counters && !layout.counters->names.empty();
   if (layout.counters) {
@@ -192,7 +215,8 @@ std::shared_ptr<const FrameRefs> addFramePasses(const render::EffectInput& input
     const LayoutPass& p = layout.passes[passRun.pass];
     const Run run{built, refs, passRun.pass, passRun.light, slot};
     const bool compute = p.d.kind == TY_PASS_COMPUTE || p.d.kind == TY_PASS_COMPUTE_INDIRECT;
-    auto pass = input.graph.pass(passRun.light == TY_NONE ? p.name : p.name + " [light " + std::to_string(passRun.light) + "]", owner);
+    auto pass = input.graph.pass(
+        passRun.light == TY_NONE ? p.name : p.name + " [light " + std::to_string(passRun.light) + "]", owner);
     for (const PassUse& use : built->uses[passRun.pass]) {
       const bool before = std::find(written.begin(), written.end(), use.resource) != written.end();
       if (writesTo(use.access) && !before) written.push_back(use.resource);
@@ -206,7 +230,8 @@ std::shared_ptr<const FrameRefs> addFramePasses(const render::EffectInput& input
         parts = image.d.mips > 1 || image.d.depth > 1;
         kept = isHistory(image);
       }
-      pass.use(run.image(use.resource.source, use.resource.index), useFor(use.access, compute, parts && (before || kept)));
+      pass.use(run.image(use.resource.source, use.resource.index),
+               useFor(use.access, compute, parts && (before || kept)));
     }
     if (p.d.kind != TY_PASS_CASTERS) {
       pass.run([run](PassContext& context) { record(context, run); });

@@ -7,7 +7,8 @@ namespace {
 std::string at(const char* what, std::size_t i) { return std::string(what) + "[" + std::to_string(i) + "]"; }
 
 Result<std::vector<std::string>> readNames(const char* const* names, std::uint32_t count, const std::string& what) {
-  if (count > kMostElements || (count > 0 && names == nullptr)) return failed(what + ": the list of names is null or too long");
+  if (count > kMostElements || (count > 0 && names == nullptr))
+    return failed(what + ": the list of names is null or too long");
   std::vector<std::string> read;
   for (std::uint32_t i = 0; i < count; ++i) {
     auto name = readName(names[i], what + ": name " + std::to_string(i));

@@ -7,7 +7,8 @@ namespace tyndall::host {
 namespace {
 
 Result<void> join(std::vector<PassUse>& uses, LayoutResource resource, PassAccess access, const LayoutPass& pass) {
-  const auto same = std::find_if(uses.begin(), uses.end(), [&](const PassUse& use) { return use.resource == resource; });
+  const auto same =
+      std::find_if(uses.begin(), uses.end(), [&](const PassUse& use) { return use.resource == resource; });
   if (same == uses.end()) {
     uses.push_back({resource, access});
     return {};
@@ -37,15 +38,20 @@ Result<std::vector<PassUse>> usesOf(const Layout&, const LayoutPass& pass) {
     if (auto r = join(uses, {binding.source, binding.index}, accessOf(binding), pass); !r) return r.error();
   }
   for (const TyTarget& target : pass.targets)
-    if (auto r = join(uses, {target.source, target.index}, target.load ? PassAccess::kColorReadWrite : PassAccess::kColorWrite, pass); !r)
+    if (auto r = join(uses, {target.source, target.index},
+                      target.load ? PassAccess::kColorReadWrite : PassAccess::kColorWrite, pass);
+        !r)
       return r.error();
   if (pass.depthTarget) {
     const TyTarget& target = *pass.depthTarget;
-    if (auto r = join(uses, {target.source, target.index}, target.load ? PassAccess::kDepthReadWrite : PassAccess::kDepthWrite, pass); !r)
+    if (auto r = join(uses, {target.source, target.index},
+                      target.load ? PassAccess::kDepthReadWrite : PassAccess::kDepthWrite, pass);
+        !r)
       return r.error();
   }
   if (pass.d.kind == TY_PASS_COMPUTE_INDIRECT)
-    if (auto r = join(uses, {TY_SOURCE_BUFFER, pass.d.indirect_buffer}, PassAccess::kIndirect, pass); !r) return r.error();
+    if (auto r = join(uses, {TY_SOURCE_BUFFER, pass.d.indirect_buffer}, PassAccess::kIndirect, pass); !r)
+      return r.error();
   return uses;
 }
 
@@ -82,11 +88,21 @@ bool isInteger(std::uint32_t format) { return format >= TY_FORMAT_R32_UINT && fo
 std::uint32_t formatBytes(std::uint32_t format) {
   switch (format) {
     case TY_FORMAT_R8_UNORM: return 1;
-    case TY_FORMAT_R16_UNORM: case TY_FORMAT_R16_FLOAT: return 2;
-    case TY_FORMAT_RGBA8_UNORM: case TY_FORMAT_A2B10G10R10_UNORM: case TY_FORMAT_RG16_UNORM: case TY_FORMAT_RG16_FLOAT:
-    case TY_FORMAT_R32_FLOAT: case TY_FORMAT_R32_UINT: case TY_FORMAT_D32_FLOAT: return 4;
-    case TY_FORMAT_RGBA16_UNORM: case TY_FORMAT_RGBA16_FLOAT: case TY_FORMAT_RG32_FLOAT: case TY_FORMAT_RG32_UINT: return 8;
-    case TY_FORMAT_RGBA32_FLOAT: case TY_FORMAT_RGBA32_UINT: return 16;
+    case TY_FORMAT_R16_UNORM:
+    case TY_FORMAT_R16_FLOAT: return 2;
+    case TY_FORMAT_RGBA8_UNORM:
+    case TY_FORMAT_A2B10G10R10_UNORM:
+    case TY_FORMAT_RG16_UNORM:
+    case TY_FORMAT_RG16_FLOAT:
+    case TY_FORMAT_R32_FLOAT:
+    case TY_FORMAT_R32_UINT:
+    case TY_FORMAT_D32_FLOAT: return 4;
+    case TY_FORMAT_RGBA16_UNORM:
+    case TY_FORMAT_RGBA16_FLOAT:
+    case TY_FORMAT_RG32_FLOAT:
+    case TY_FORMAT_RG32_UINT: return 8;
+    case TY_FORMAT_RGBA32_FLOAT:
+    case TY_FORMAT_RGBA32_UINT: return 16;
     default: return 0;
   }
 }

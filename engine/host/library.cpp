@@ -17,14 +17,18 @@ namespace tyndall::host {
 namespace fs = std::filesystem;
 namespace {
 
-/// The loader maps a truncated library and dies of SIGBUS while relocating it; so every part that the headers promise must
-/// be there. What else is wrong with a file, dlopen itself reports.
+/// The loader maps a truncated library and dies of SIGBUS while relocating it; so every part that the headers promise
+/// must be there. What else is wrong with a file, dlopen itself reports.
 bool wholeLibrary(std::span<const std::byte> file) {
   Elf64_Ehdr header;
   if (file.size() < sizeof header) return false;
   std::memcpy(&header, file.data(), sizeof header);
-  if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_ident[EI_CLASS] != ELFCLASS64 || header.e_type != ET_DYN) return false;
-  const auto inside = [&](std::uint64_t offset, std::uint64_t size) { return offset <= file.size() && size <= file.size() - offset; };
+  if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_ident[EI_CLASS] != ELFCLASS64 ||
+      header.e_type != ET_DYN)
+    return false;
+  const auto inside = [&](std::uint64_t offset, std::uint64_t size) {
+    return offset <= file.size() && size <= file.size() - offset;
+  };
   if (header.e_phentsize != sizeof(Elf64_Phdr)) return false;
   if (!inside(header.e_phoff, std::uint64_t{header.e_phnum} * sizeof(Elf64_Phdr))) return false;
   if (!inside(header.e_shoff, std::uint64_t{header.e_shnum} * header.e_shentsize)) return false;
@@ -61,12 +65,14 @@ Result<std::unique_ptr<Library>> Library::open(const fs::path& original) {
   if (!identity) return identity.error();
   auto bytes = readFile(original);
   if (!bytes) return bytes.error();
-  if (!wholeLibrary(*bytes)) return failed(original.string() + ": is not a whole shared library; a plugin is a 64-bit ELF .so file");
+  if (!wholeLibrary(*bytes))
+    return failed(original.string() + ": is not a whole shared library; a plugin is a 64-bit ELF .so file");
 
   std::unique_ptr<Library> library(new Library);
   library->identity_ = *identity;
   library->folder_ = privateFolder();
-  if (library->folder_.empty()) return failed(original.string() + ": no temporary folder for the plugin's copy can be made; set TMPDIR to one");
+  if (library->folder_.empty())
+    return failed(original.string() + ": no temporary folder for the plugin's copy can be made; set TMPDIR to one");
   const fs::path copy = library->folder_ / original.filename();
   if (auto written = writeFileAtomically(copy, *bytes); !written) return written.error();
   // RTLD_LOCAL: two plugins that share symbol names do not see each other's.
@@ -75,7 +81,8 @@ Result<std::unique_ptr<Library>> Library::open(const fs::path& original) {
     const char* reason = ::dlerror();
     std::string text = reason ? reason : "unknown reason";
     // The loader names the copy; people know the original.
-    if (const auto at = text.find(copy.string()); at != std::string::npos) text.replace(at, copy.string().size(), original.filename().string());
+    if (const auto at = text.find(copy.string()); at != std::string::npos)
+      text.replace(at, copy.string().size(), original.filename().string());
     return failed(original.string() + ": cannot be loaded: " + text);
   }
   return library;

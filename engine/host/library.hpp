@@ -19,8 +19,9 @@ Result<FileIdentity> fileIdentity(const std::filesystem::path& path);
 
 class Library {
  public:
-  /// Copies `original` under a name of its own and loads the copy, so that a rebuilt original neither changes the mapped code
-  /// nor is mistaken for the loaded one. Errors: missing, unreadable, not a whole shared library, unresolved symbols.
+  /// Copies `original` under a name of its own and loads the copy, so that a rebuilt original neither changes the
+  /// mapped code nor is mistaken for the loaded one. Errors: missing, unreadable, not a whole shared library,
+  /// unresolved symbols.
   static Result<std::unique_ptr<Library>> open(const std::filesystem::path& original);
   ~Library();
   Library(const Library&) = delete;

@@ -12,11 +12,13 @@ namespace {
 VkDescriptorType descriptorType(const TyBinding& binding) {
   if (binding.source == TY_SOURCE_UNIFORM) return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
   if (binding.source == TY_SOURCE_BUFFER) return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-  return binding.access == TY_ACCESS_SAMPLED ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+  return binding.access == TY_ACCESS_SAMPLED ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                             : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 }
 
 VkFormat targetFormat(const Layout& layout, const TyTarget& target) {
-  return target.source == TY_SOURCE_OUTPUT ? VK_FORMAT_R32G32B32A32_SFLOAT : vulkanFormat(layout.images[target.index].d.format);
+  return target.source == TY_SOURCE_OUTPUT ? VK_FORMAT_R32G32B32A32_SFLOAT
+                                           : vulkanFormat(layout.images[target.index].d.format);
 }
 
 gpu::ColorTarget colorTarget(const Layout& layout, const TyTarget& target) {
@@ -25,7 +27,9 @@ gpu::ColorTarget colorTarget(const Layout& layout, const TyTarget& target) {
   color.blend = target.blend != TY_BLEND_NONE;
   color.sourceFactor = color.sourceAlphaFactor = VK_BLEND_FACTOR_ONE;
   color.destinationFactor = color.destinationAlphaFactor = VK_BLEND_FACTOR_ONE;  // min and max ignore the factors
-  color.op = target.blend == TY_BLEND_MIN ? VK_BLEND_OP_MIN : target.blend == TY_BLEND_MAX ? VK_BLEND_OP_MAX : VK_BLEND_OP_ADD;
+  color.op = target.blend == TY_BLEND_MIN   ? VK_BLEND_OP_MIN
+             : target.blend == TY_BLEND_MAX ? VK_BLEND_OP_MAX
+                                            : VK_BLEND_OP_ADD;
   return color;
 }
 
@@ -44,14 +48,16 @@ std::string keyOf(const Layout& layout, const LayoutPass& pass, const gpu::Shade
 
 }  // namespace
 
-Pipelines::Pipelines(gpu::Device& device, const std::filesystem::path& shaderFolder) : device_(device), shaders_(shaderFolder) {
+Pipelines::Pipelines(gpu::Device& device, const std::filesystem::path& shaderFolder)
+    : device_(device), shaders_(shaderFolder) {
   auto shader = std::make_shared<gpu::Shader>();
   shader->name = "full_screen.vert";
   shader->code.assign(std::begin(kFullScreenVert), std::end(kFullScreenVert));
   fullScreen_ = std::move(shader);
 }
 
-Result<gpu::Pipeline> Pipelines::make(const Layout& layout, const LayoutPass& pass, std::shared_ptr<const gpu::Shader> shader) {
+Result<gpu::Pipeline> Pipelines::make(const Layout& layout, const LayoutPass& pass,
+                                      std::shared_ptr<const gpu::Shader> shader) {
   std::vector<gpu::Binding> bindings;
   std::vector<ShaderBinding> given;
   for (const TyBinding& b : pass.bindings) {
@@ -100,8 +106,10 @@ Result<std::vector<PipelinePtr>> Pipelines::of(const Layout& layout) {
     if (!shader) return shader.error();
     const std::string key = keyOf(layout, pass, **shader);
     PipelinePtr pipeline;
-    if (const auto kept = made_.find(key); kept != made_.end()) pipeline = kept->second;
-    else if (const auto fresh = used.find(key); fresh != used.end()) pipeline = fresh->second;
+    if (const auto kept = made_.find(key); kept != made_.end())
+      pipeline = kept->second;
+    else if (const auto fresh = used.find(key); fresh != used.end())
+      pipeline = fresh->second;
     if (!pipeline) {
       auto made = make(layout, pass, *shader);
       if (!made) return made.error();

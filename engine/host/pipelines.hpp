@@ -1,5 +1,5 @@
-// Pipelines of a plugin's passes. A pipeline is kept as long as some layout asks for the same one, so that a change of size
-// compiles nothing.
+// Pipelines of a plugin's passes. A pipeline is kept as long as some layout asks for the same one, so that a change of
+// size compiles nothing.
 #pragma once
 
 #include <map>

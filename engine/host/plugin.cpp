@@ -11,11 +11,16 @@ namespace {
 
 void logLine(void* context, std::uint32_t level, const char* line) {
   const auto text = readText(line, "a log line");
-  const std::string full = *static_cast<const std::string*>(context) + (text ? *text : "gave a log line that is null or too long");
-  if (level >= TY_LOG_ERROR) log::error(full);
-  else if (level == TY_LOG_WARNING) log::warning(full);
-  else if (level == TY_LOG_INFO) log::info(full);
-  else log::debug(full);
+  const std::string full =
+      *static_cast<const std::string*>(context) + (text ? *text : "gave a log line that is null or too long");
+  if (level >= TY_LOG_ERROR)
+    log::error(full);
+  else if (level == TY_LOG_WARNING)
+    log::warning(full);
+  else if (level == TY_LOG_INFO)
+    log::info(full);
+  else
+    log::debug(full);
 }
 
 const void* noExtension(void*, const char*) { return nullptr; }
@@ -52,7 +57,8 @@ Result<std::unique_ptr<Plugin>> Plugin::load(const fs::path& path) {
   state->host.context = &state->logPrefix;
   state->host.log = logLine;
   state->host.get_extension = noExtension;
-  if (!state->plugin.init(&state->host)) return refuse("the plugin refused to start (its init failed; see its log line)");
+  if (!state->plugin.init(&state->host))
+    return refuse("the plugin refused to start (its init failed; see its log line)");
   state->initialised = true;
 
   auto tables = readTables(state->plugin);
@@ -99,9 +105,11 @@ PluginSet loadPlugins(const fs::path& folder) {
       continue;
     }
     const std::string& id = (*plugin)->id();
-    const auto same = std::find_if(set.plugins.begin(), set.plugins.end(), [&](const auto& other) { return other->id() == id; });
+    const auto same =
+        std::find_if(set.plugins.begin(), set.plugins.end(), [&](const auto& other) { return other->id() == id; });
     if (same != set.plugins.end())
-      set.errors.push_back(failed(file.string() + ": its id '" + id + "' is already that of " + (*same)->path().string() + "; ids are unique"));
+      set.errors.push_back(failed(file.string() + ": its id '" + id + "' is already that of " +
+                                  (*same)->path().string() + "; ids are unique"));
     else
       set.plugins.push_back(plugin.take());
   }

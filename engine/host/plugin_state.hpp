@@ -13,7 +13,7 @@ struct Plugin::State {
   std::filesystem::path path;
   std::unique_ptr<Library> library;  ///< outlives every call into the plugin: see the destructor
   std::string id, name, version, doc;
-  std::string logPrefix;             ///< what TyHost.context points to
+  std::string logPrefix;  ///< what TyHost.context points to
   TyHost host{};
   TyPlugin plugin{};
   bool initialised = false;

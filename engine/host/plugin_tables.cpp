@@ -18,12 +18,14 @@ std::string versionText(std::uint32_t version) {
 
 Result<void> readChoices(const TyParameter& row, params::Parameter& p) {
   if (row.choice_count < 1 || row.choice_count > 64 || row.choices == nullptr)
-    return failed(p.id + ": an enum has 1 to 64 choices; this one has " + std::to_string(row.choices ? row.choice_count : 0));
+    return failed(p.id + ": an enum has 1 to 64 choices; this one has " +
+                  std::to_string(row.choices ? row.choice_count : 0));
   std::set<std::string> seen;
   for (std::uint32_t i = 0; i < row.choice_count; ++i) {
     auto choice = readName(row.choices[i], p.id + ": choice " + std::to_string(i));
     if (!choice) return choice.error();
-    if (!seen.insert(*choice).second) return failed(p.id + ": the choice '" + *choice + "' appears twice; choices are unique");
+    if (!seen.insert(*choice).second)
+      return failed(p.id + ": the choice '" + *choice + "' appears twice; choices are unique");
     p.choices.push_back(choice.take());
     p.built.push_back((row.unbuilt >> i & 1) == 0);
   }
@@ -68,10 +70,12 @@ Result<void> joinTechniques(PluginTables& tables) {
 }  // namespace
 
 Result<void> checkAbiVersion(std::uint32_t plugin, std::uint32_t host) {
-  const bool fits = TY_ABI_MAJOR_OF(plugin) == TY_ABI_MAJOR_OF(host) && TY_ABI_MINOR_OF(plugin) <= TY_ABI_MINOR_OF(host);
+  const bool fits =
+      TY_ABI_MAJOR_OF(plugin) == TY_ABI_MAJOR_OF(host) && TY_ABI_MINOR_OF(plugin) <= TY_ABI_MINOR_OF(host);
   if (fits) return {};
   return failed("was built for plugin ABI " + versionText(plugin) + "; this program takes " + versionText(host) +
-                (TY_ABI_MINOR_OF(host) > 0 ? " and older ones of the same major version" : "") + ", so rebuild one of them");
+                (TY_ABI_MINOR_OF(host) > 0 ? " and older ones of the same major version" : "") +
+                ", so rebuild one of them");
 }
 
 Result<std::string> readText(const char* text, const std::string& what) {
@@ -104,8 +108,9 @@ Result<TyPlugin> readPlugin(const void* entry) {
   for (const auto& [text, what] : {std::pair{plugin.name, "name"}, {plugin.version, "version"}, {plugin.doc, "doc"}})
     if (auto read = readText(text, std::string("the plugin's ") + what); !read) return read.error();
   const std::pair<bool, const char*> functions[] = {
-      {plugin.init != nullptr, "init"},     {plugin.shutdown != nullptr, "shutdown"}, {plugin.create != nullptr, "create"},
-      {plugin.destroy != nullptr, "destroy"}, {plugin.layout != nullptr, "layout"},     {plugin.prepare != nullptr, "prepare"}};
+      {plugin.init != nullptr, "init"},     {plugin.shutdown != nullptr, "shutdown"},
+      {plugin.create != nullptr, "create"}, {plugin.destroy != nullptr, "destroy"},
+      {plugin.layout != nullptr, "layout"}, {plugin.prepare != nullptr, "prepare"}};
   for (const auto& [there, name] : functions)
     if (!there) return failed(std::string("the function '") + name + "' is missing; a plugin has to give it");
   return plugin;
@@ -120,7 +125,8 @@ Result<params::Parameter> readParameter(const TyParameter& row, const std::strin
   const auto dot = p.id.find('.');
   if (!onlyFrom(p.id, "_.") || dot == std::string::npos || dot == 0 || dot + 1 == p.id.size())
     return failed("the parameter id '" + p.id + "' is not of the form group.name made of a-z, 0-9 and _");
-  for (const auto& [from, to, what] : {std::tuple{row.name, &p.name, ": name"}, {row.unit, &p.unit, ": unit"}, {row.doc, &p.doc, ": doc"}}) {
+  for (const auto& [from, to, what] :
+       {std::tuple{row.name, &p.name, ": name"}, {row.unit, &p.unit, ": unit"}, {row.doc, &p.doc, ": doc"}}) {
     auto text = readText(from, p.id + what);
     if (!text) return text.error();
     *to = text.take();
@@ -168,7 +174,8 @@ Result<PluginTables> readTables(const TyPlugin& plugin) {
     if (!read) return read.error();
     for (const TyTechnique& row : *read) {
       TechniqueInfo info;
-      for (const auto& [from, to, what] : {std::tuple{row.id, &info.id, "id"}, {row.name, &info.name, "name"}, {row.doc, &info.doc, "doc"}}) {
+      for (const auto& [from, to, what] :
+           {std::tuple{row.id, &info.id, "id"}, {row.name, &info.name, "name"}, {row.doc, &info.doc, "doc"}}) {
         auto text = readText(from, std::string("the ") + what + " of a technique");
         if (!text) return text.error();
         *to = text.take();
@@ -187,7 +194,8 @@ Result<PluginTables> readTables(const TyPlugin& plugin) {
   if (auto joined = joinTechniques(tables); !joined) return joined.error();
   // Last, because a technique that is not there makes its choice unusable as a default.
   for (const params::Parameter& p : tables.parameters)
-    if (auto usable = params::check(p, p.defaultValue); !usable) return failed("the default of " + usable.error().message);
+    if (auto usable = params::check(p, p.defaultValue); !usable)
+      return failed("the default of " + usable.error().message);
   return tables;
 }
 

@@ -10,8 +10,8 @@
 
 namespace tyndall::host {
 
-/// The functions and strings of a plugin: version checked first, then the struct copied, then required functions and texts.
-/// `entry` is the exported symbol.
+/// The functions and strings of a plugin: version checked first, then the struct copied, then required functions and
+/// texts. `entry` is the exported symbol.
 Result<TyPlugin> readPlugin(const void* entry);
 
 struct PluginTables {

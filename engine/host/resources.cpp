@@ -11,7 +11,8 @@ VkImageUsageFlags usageOf(const Layout& layout, std::uint32_t index) {
   if (image.format == TY_FORMAT_D32_FLOAT) usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
   for (const LayoutPass& pass : layout.passes) {
     for (const TyBinding& b : pass.bindings)
-      if (b.source == TY_SOURCE_IMAGE && b.index == index && b.access != TY_ACCESS_SAMPLED) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
+      if (b.source == TY_SOURCE_IMAGE && b.index == index && b.access != TY_ACCESS_SAMPLED)
+        usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     for (const TyTarget& t : pass.targets)
       if (t.source == TY_SOURCE_IMAGE && t.index == index) usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
   }
@@ -21,8 +22,8 @@ VkImageUsageFlags usageOf(const Layout& layout, std::uint32_t index) {
 bool filteredLinearly(const Layout& layout, std::uint32_t index) {
   for (const LayoutPass& pass : layout.passes)
     for (const TyBinding& b : pass.bindings)
-      if (b.source == TY_SOURCE_IMAGE && b.index == index && b.access == TY_ACCESS_SAMPLED && b.sampler != TY_SAMPLER_NEAREST_CLAMP &&
-          b.sampler != TY_SAMPLER_NEAREST_REPEAT)
+      if (b.source == TY_SOURCE_IMAGE && b.index == index && b.access == TY_ACCESS_SAMPLED &&
+          b.sampler != TY_SAMPLER_NEAREST_CLAMP && b.sampler != TY_SAMPLER_NEAREST_REPEAT)
         return true;
   return false;
 }
@@ -41,34 +42,42 @@ Result<void> supported(gpu::Device& device, const Layout& layout, std::uint32_t 
   if (filteredLinearly(layout, index)) needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
   if (blendedInto(layout, index)) needed |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
   VkImageFormatProperties most{};
-  const VkResult result = vkGetPhysicalDeviceImageFormatProperties(device.physical(), desc.format, desc.type, VK_IMAGE_TILING_OPTIMAL,
-                                                                   desc.usage, 0, &most);
-  const bool fits = result == VK_SUCCESS && (format.optimalTilingFeatures & needed) == needed && desc.width <= most.maxExtent.width &&
-                    desc.height <= most.maxExtent.height && desc.depth <= most.maxExtent.depth && desc.layers <= most.maxArrayLayers &&
+  const VkResult result = vkGetPhysicalDeviceImageFormatProperties(device.physical(), desc.format, desc.type,
+                                                                   VK_IMAGE_TILING_OPTIMAL, desc.usage, 0, &most);
+  const bool fits = result == VK_SUCCESS && (format.optimalTilingFeatures & needed) == needed &&
+                    desc.width <= most.maxExtent.width && desc.height <= most.maxExtent.height &&
+                    desc.depth <= most.maxExtent.depth && desc.layers <= most.maxArrayLayers &&
                     desc.mips <= most.maxMipLevels && imageBytes(layout.images[index].d) <= most.maxResourceSize;
   if (fits) return {};
-  return failed("image '" + desc.name + "': the device cannot make one of this format and size for the uses its passes have");
+  return failed("image '" + desc.name +
+                "': the device cannot make one of this format and size for the uses its passes have");
 }
 
 }  // namespace
 
 VkFormat vulkanFormat(std::uint32_t format) {
-  static constexpr VkFormat kFormats[] = {
-      VK_FORMAT_UNDEFINED,          VK_FORMAT_R8_UNORM,            VK_FORMAT_R8G8B8A8_UNORM,  VK_FORMAT_A2B10G10R10_UNORM_PACK32,
-      VK_FORMAT_R16_UNORM,          VK_FORMAT_R16G16_UNORM,        VK_FORMAT_R16G16B16A16_UNORM, VK_FORMAT_R16_SFLOAT,
-      VK_FORMAT_R16G16_SFLOAT,      VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R32_SFLOAT,      VK_FORMAT_R32G32_SFLOAT,
-      VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R32_UINT,           VK_FORMAT_R32G32_UINT,     VK_FORMAT_R32G32B32A32_UINT,
-      VK_FORMAT_D32_SFLOAT};
+  static constexpr VkFormat kFormats[] = {VK_FORMAT_UNDEFINED,           VK_FORMAT_R8_UNORM,
+                                          VK_FORMAT_R8G8B8A8_UNORM,      VK_FORMAT_A2B10G10R10_UNORM_PACK32,
+                                          VK_FORMAT_R16_UNORM,           VK_FORMAT_R16G16_UNORM,
+                                          VK_FORMAT_R16G16B16A16_UNORM,  VK_FORMAT_R16_SFLOAT,
+                                          VK_FORMAT_R16G16_SFLOAT,       VK_FORMAT_R16G16B16A16_SFLOAT,
+                                          VK_FORMAT_R32_SFLOAT,          VK_FORMAT_R32G32_SFLOAT,
+                                          VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R32_UINT,
+                                          VK_FORMAT_R32G32_UINT,         VK_FORMAT_R32G32B32A32_UINT,
+                                          VK_FORMAT_D32_SFLOAT};
   return format < std::size(kFormats) ? kFormats[format] : VK_FORMAT_UNDEFINED;
 }
 
 VkSampler samplerOf(gpu::Device& device, std::uint32_t sampler) {
   VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
-  const bool linear = sampler == TY_SAMPLER_LINEAR_CLAMP || sampler == TY_SAMPLER_LINEAR_REPEAT || sampler == TY_SAMPLER_LINEAR_MIPMAP_CLAMP;
+  const bool linear = sampler == TY_SAMPLER_LINEAR_CLAMP || sampler == TY_SAMPLER_LINEAR_REPEAT ||
+                      sampler == TY_SAMPLER_LINEAR_MIPMAP_CLAMP;
   const bool repeat = sampler == TY_SAMPLER_NEAREST_REPEAT || sampler == TY_SAMPLER_LINEAR_REPEAT;
   info.magFilter = info.minFilter = linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
-  info.mipmapMode = sampler == TY_SAMPLER_LINEAR_MIPMAP_CLAMP ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
-  info.addressModeU = info.addressModeV = info.addressModeW = repeat ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  info.mipmapMode =
+      sampler == TY_SAMPLER_LINEAR_MIPMAP_CLAMP ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  info.addressModeU = info.addressModeV = info.addressModeW =
+      repeat ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   info.maxLod = VK_LOD_CLAMP_NONE;
   return device.sampler(info);
 }
@@ -116,16 +125,20 @@ Result<Resources> makeResources(gpu::Device& device, const Layout& layout, std::
   for (std::uint32_t i = 0; i < layout.buffers.size(); ++i) {
     r.bytes += layout.buffers[i].d.size;
     if (!isHistory(layout.buffers[i])) continue;
-    auto buffer = device.createBuffer({.name = layout.buffers[i].name, .size = layout.buffers[i].d.size,
-                                       .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
-                                                VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+    auto buffer =
+        device.createBuffer({.name = layout.buffers[i].name,
+                             .size = layout.buffers[i].d.size,
+                             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+                                      VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
     if (!buffer) return buffer.error();
     r.buffers[i] = buffer.take();
   }
   if (layout.counters && !layout.counters->names.empty())
     for (gpu::Buffer& slot : r.counterSlots) {
-      auto buffer = device.createBuffer({.name = "counters read back", .size = 4 * layout.counters->names.size(),
-                                         .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT, .hostVisible = true});
+      auto buffer = device.createBuffer({.name = "counters read back",
+                                         .size = 4 * layout.counters->names.size(),
+                                         .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                         .hostVisible = true});
       if (!buffer) return buffer.error();
       slot = buffer.take();
     }

@@ -12,18 +12,18 @@
 
 namespace tyndall::host {
 
-VkFormat vulkanFormat(std::uint32_t format);  ///< of a TyFormat
+VkFormat vulkanFormat(std::uint32_t format);                      ///< of a TyFormat
 VkSampler samplerOf(gpu::Device& device, std::uint32_t sampler);  ///< of a TySampler
-gpu::ImageDesc describe(const LayoutImage& image);  ///< without usage
+gpu::ImageDesc describe(const LayoutImage& image);                ///< without usage
 gpu::ViewDesc viewOf(const Layout& layout, const TyBinding& binding);
 
 /// Everything of one layout that outlives a frame.
 struct Resources {
-  std::vector<gpu::Image> images;    ///< filled where the layout says history, empty elsewhere
+  std::vector<gpu::Image> images;  ///< filled where the layout says history, empty elsewhere
   std::vector<gpu::Buffer> buffers;
   std::array<gpu::Buffer, kFrameSlots> counterSlots;  ///< host-visible, if there are counters
-  bool historyCleared = false;       ///< zeroed by a recorded frame (history starts as zeros, never as garbage)
-  std::uint64_t bytes = 0;           ///< of all images and buffers of the layout and the output, each on its own
+  bool historyCleared = false;  ///< zeroed by a recorded frame (history starts as zeros, never as garbage)
+  std::uint64_t bytes = 0;      ///< of all images and buffers of the layout and the output, each on its own
 };
 
 /// Refuses an image that the device cannot make for the uses the layout has for it, then makes what is kept.

@@ -7,12 +7,26 @@
 namespace tyndall::host {
 namespace {
 
-enum Op : std::uint32_t { kTypeImage = 25, kTypeSampledImage = 27, kTypeArray = 28, kTypeRuntimeArray = 29, kTypeStruct = 30, kTypePointer = 32, kVariable = 59, kDecorate = 71 };
+enum Op : std::uint32_t {
+  kTypeImage = 25,
+  kTypeSampledImage = 27,
+  kTypeArray = 28,
+  kTypeRuntimeArray = 29,
+  kTypeStruct = 30,
+  kTypePointer = 32,
+  kVariable = 59,
+  kDecorate = 71
+};
 enum Decoration : std::uint32_t { kBufferBlock = 3, kBinding = 33, kDescriptorSet = 34 };
 enum StorageClass : std::uint32_t { kUniformConstant = 0, kUniform = 2, kPushConstant = 9, kStorageBuffer = 12 };
 
-struct Type { std::uint32_t op = 0, pointee = 0, sampled = 0; };
-struct Variable { std::uint32_t pointer = 0, storage = 0, set = 0, binding = 0; bool bound = false, bufferBlock = false; };
+struct Type {
+  std::uint32_t op = 0, pointee = 0, sampled = 0;
+};
+struct Variable {
+  std::uint32_t pointer = 0, storage = 0, set = 0, binding = 0;
+  bool bound = false, bufferBlock = false;
+};
 
 struct Module {
   std::map<std::uint32_t, Type> types;
@@ -38,7 +52,10 @@ Result<Module> readModule(std::span<const std::uint32_t> code) {
     const auto word = [&](std::uint32_t i) { return i < words ? code[at + i] : 0u; };
     switch (op) {
       case kTypeImage: module.types[word(1)] = {op, 0, word(7)}; break;
-      case kTypeSampledImage: case kTypeArray: case kTypeRuntimeArray: case kTypeStruct: module.types[word(1)] = {op, 0, 0}; break;
+      case kTypeSampledImage:
+      case kTypeArray:
+      case kTypeRuntimeArray:
+      case kTypeStruct: module.types[word(1)] = {op, 0, 0}; break;
       case kTypePointer: module.types[word(1)] = {op, word(3), 0}; break;
       case kVariable:
         module.variables[word(2)].pointer = word(1);
@@ -66,11 +83,13 @@ VkDescriptorType descriptorType(const Module& module, const Variable& v) {
   const std::uint32_t pointee = typeOf(v.pointer).pointee;
   const Type type = typeOf(pointee);
   if (v.storage == kUniformConstant && type.op == kTypeSampledImage) return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-  if (v.storage == kUniformConstant && type.op == kTypeImage && type.sampled == 2) return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+  if (v.storage == kUniformConstant && type.op == kTypeImage && type.sampled == 2)
+    return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
   if (v.storage == kStorageBuffer && type.op == kTypeStruct) return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
   if (v.storage == kUniform && type.op == kTypeStruct) {
     const auto decorated = module.variables.find(pointee);
-    const bool old = decorated != module.variables.end() && decorated->second.bufferBlock;  // storage buffers before SPIR-V 1.3
+    const bool old =
+        decorated != module.variables.end() && decorated->second.bufferBlock;  // storage buffers before SPIR-V 1.3
     return old ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
   }
   return VK_DESCRIPTOR_TYPE_MAX_ENUM;
@@ -86,7 +105,9 @@ Result<std::vector<ShaderBinding>> shaderBindings(std::span<const std::uint32_t>
     if (v.pointer == 0) continue;
     if (v.storage == kPushConstant) return failed("declares push constants; the host gives none, take a uniform block");
     if (!v.bound) continue;
-    if (v.set != 0) return failed("declares binding " + std::to_string(v.binding) + " in set " + std::to_string(v.set) + "; bindings are in set 0");
+    if (v.set != 0)
+      return failed("declares binding " + std::to_string(v.binding) + " in set " + std::to_string(v.set) +
+                    "; bindings are in set 0");
     bindings.push_back({v.binding, descriptorType(*module, v)});
   }
   return bindings;
@@ -96,7 +117,8 @@ Result<void> checkShaderBindings(std::span<const std::uint32_t> code, const std:
   auto declared = shaderBindings(code);
   if (!declared) return declared.error();
   for (const ShaderBinding& d : *declared) {
-    const auto same = std::find_if(given.begin(), given.end(), [&](const ShaderBinding& g) { return g.binding == d.binding; });
+    const auto same =
+        std::find_if(given.begin(), given.end(), [&](const ShaderBinding& g) { return g.binding == d.binding; });
     const std::string what = "declares binding " + std::to_string(d.binding) + " as " + typeName(d.type);
     if (same == given.end()) return failed(what + ", which the pass's table lacks");
     if (same->type != d.type) return failed(what + ", but the pass's table gives " + typeName(same->type));

@@ -1,5 +1,5 @@
-// The resources that a shader declares, read from its SPIR-V, so that a shader and a table that disagree are an error line
-// instead of undefined behaviour in the driver.
+// The resources that a shader declares, read from its SPIR-V, so that a shader and a table that disagree are an error
+// line instead of undefined behaviour in the driver.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,9 @@
 namespace tyndall::host {
 namespace {
 
-void copyMatrix(float (&to)[16], const glm::mat4& from) { std::memcpy(to, &from[0][0], sizeof to); }  // both column-major
+void copyMatrix(float (&to)[16], const glm::mat4& from) {
+  std::memcpy(to, &from[0][0], sizeof to);
+}  // both column-major
 void copyVector(float (&to)[3], const glm::vec3& from) { std::memcpy(to, &from[0], sizeof to); }
 
 }  // namespace
@@ -26,15 +28,16 @@ TyStructure Structure::abi() const {
 }
 
 bool Structure::sameLayout(const Structure& other) const {
-  if (width != other.width || height != other.height || lightKinds != other.lightKinds || shadowSizes != other.shadowSizes ||
-      values.size() != other.values.size())
+  if (width != other.width || height != other.height || lightKinds != other.lightKinds ||
+      shadowSizes != other.shadowSizes || values.size() != other.values.size())
     return false;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (structural[i] && values[i] != other.values[i]) return false;
   return true;
 }
 
-Structure makeStructure(const render::EffectInput& input, const std::vector<params::Parameter>& parameters, const params::Table& table) {
+Structure makeStructure(const render::EffectInput& input, const std::vector<params::Parameter>& parameters,
+                        const params::Table& table) {
   Structure s;
   s.width = input.view.width;
   s.height = input.view.height;

@@ -15,15 +15,18 @@ namespace tyndall::host {
 struct Structure {
   std::uint32_t width = 1, height = 1;
   std::vector<std::uint32_t> lightKinds, shadowSizes;
-  std::vector<double> values;       ///< of every parameter
+  std::vector<double> values;  ///< of every parameter
   std::vector<bool> structural;
 
-  TyStructure abi() const;          ///< points into this
-  LayoutContext context() const { return {width, height, lightKinds, static_cast<std::uint32_t>(values.size()), structural}; }
+  TyStructure abi() const;  ///< points into this
+  LayoutContext context() const {
+    return {width, height, lightKinds, static_cast<std::uint32_t>(values.size()), structural};
+  }
   /// The same layout is due: equal but for values that are not structural.
   bool sameLayout(const Structure& other) const;
 };
-Structure makeStructure(const render::EffectInput& input, const std::vector<params::Parameter>& parameters, const params::Table& table);
+Structure makeStructure(const render::EffectInput& input, const std::vector<params::Parameter>& parameters,
+                        const params::Table& table);
 
 TyDevice makeDevice(const gpu::DeviceInfo& info);
 LayoutLimits makeLimits(const gpu::DeviceInfo& info);

@@ -42,8 +42,8 @@ void Tuner::add(const std::string& key, std::size_t variant, double milliseconds
   store_.remember(key, entry.variants[best]);
 }
 
-std::string tunableKey(const std::string& plugin, const std::string& device, const std::string& parameter, const LayoutTunable& tunable,
-                       const Layout& layout) {
+std::string tunableKey(const std::string& plugin, const std::string& device, const std::string& parameter,
+                       const LayoutTunable& tunable, const Layout& layout) {
   std::string key = plugin + '|' + device + '|' + parameter + '|';
   for (const LayoutPass& pass : layout.passes) {
     if (std::find(tunable.passes.begin(), tunable.passes.end(), pass.name) == tunable.passes.end()) continue;

@@ -32,7 +32,10 @@ class Tuner {
   explicit Tuner(TunerStore store) : store_(std::move(store)) {}
 
   /// Where a tunable stands. `variants` as in the layout; the same key always comes with the same ones, or starts anew.
-  struct Choice { std::size_t variant = 0; bool settled = false; };
+  struct Choice {
+    std::size_t variant = 0;
+    bool settled = false;
+  };
   Choice current(const std::string& key, const std::vector<double>& variants);
   /// The time of one frame that ran with `variant`; ignored unless it is the one being timed.
   void add(const std::string& key, std::size_t variant, double milliseconds);
@@ -47,9 +50,9 @@ class Tuner {
   std::map<std::string, Entry> entries_;
 };
 
-/// Names what a choice holds for: the plugin's build, the device, the parameter, and the size of the work - the power of two
-/// of each timed pass's groups, so that a window dragged wider does not start the timing anew at every pixel.
-std::string tunableKey(const std::string& plugin, const std::string& device, const std::string& parameter, const LayoutTunable& tunable,
-                       const Layout& layout);
+/// Names what a choice holds for: the plugin's build, the device, the parameter, and the size of the work - the power
+/// of two of each timed pass's groups, so that a window dragged wider does not start the timing anew at every pixel.
+std::string tunableKey(const std::string& plugin, const std::string& device, const std::string& parameter,
+                       const LayoutTunable& tunable, const Layout& layout);
 
 }  // namespace tyndall::host

@@ -39,7 +39,8 @@ void TunerStore::remember(const std::string& key, double variant) {
   known_ = read(file_);
   known_[key] = variant;
   const auto text = nlohmann::json(known_).dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
-  if (auto written = writeTextAtomically(file_, text); !written) log::debug("speed variants are not remembered: " + written.error().message);
+  if (auto written = writeTextAtomically(file_, text); !written)
+    log::debug("speed variants are not remembered: " + written.error().message);
 }
 
 }  // namespace tyndall::host

@@ -5,10 +5,12 @@
 
 namespace tyndall::host {
 
-Result<UniformRing> UniformRing::create(gpu::Device& device, const Layout& layout, std::uint32_t lights, const std::string& name) {
+Result<UniformRing> UniformRing::create(gpu::Device& device, const Layout& layout, std::uint32_t lights,
+                                        const std::string& name) {
   UniformRing ring;
   // 16: a block never starts on a worse boundary than the CPU's widest loads like.
-  const auto alignment = std::max<std::size_t>(16, static_cast<std::size_t>(device.info().limits.minUniformBufferOffsetAlignment));
+  const auto alignment =
+      std::max<std::size_t>(16, static_cast<std::size_t>(device.info().limits.minUniformBufferOffsetAlignment));
   std::size_t bytes = 0;
   for (const LayoutUniform& uniform : layout.uniforms) {
     const auto stride = (uniform.d.size + alignment - 1) / alignment * alignment;
@@ -16,7 +18,8 @@ Result<UniformRing> UniformRing::create(gpu::Device& device, const Layout& layou
     bytes += stride * (uniform.d.per_light ? std::max(1u, lights) : 1);
   }
   if (bytes > 0) {
-    auto buffer = device.createBuffer({.name = name, .size = bytes * kFrameSlots, .usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, .hostVisible = true});
+    auto buffer = device.createBuffer(
+        {.name = name, .size = bytes * kFrameSlots, .usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, .hostVisible = true});
     if (!buffer) return buffer.error();
     ring.ring_ = buffer.take();
   }

@@ -14,23 +14,30 @@ inline constexpr std::uint32_t kFrameSlots = 3;
 
 class UniformRing {
  public:
-  static Result<UniformRing> create(gpu::Device& device, const Layout& layout, std::uint32_t lights, const std::string& name);
+  static Result<UniformRing> create(gpu::Device& device, const Layout& layout, std::uint32_t lights,
+                                    const std::string& name);
   UniformRing() = default;
 
-  /// Zeroes the staging copy and returns where prepare() writes. Plugins never see mapped memory: reading that can be slow,
-  /// and a failed prepare leaves nothing behind.
+  /// Zeroes the staging copy and returns where prepare() writes. Plugins never see mapped memory: reading that can be
+  /// slow, and a failed prepare leaves nothing behind.
   const TyUniformData& begin();
   /// Copies the staging copy into `slot` for the GPU.
   void commit(std::uint32_t slot);
 
-  struct Place { VkDeviceSize offset = 0, size = 0; };
+  struct Place {
+    VkDeviceSize offset = 0, size = 0;
+  };
   Place place(std::uint32_t block, std::uint32_t light, std::uint32_t slot) const;
   const std::byte* staged(std::uint32_t block, std::uint32_t light) const;
   VkBuffer buffer() const { return ring_.handle(); }
   std::uint64_t bytes() const { return ring_ ? ring_.size() : 0; }
 
  private:
-  struct Block { std::size_t offset = 0; std::uint32_t size = 0, stride = 0; bool perLight = false; };
+  struct Block {
+    std::size_t offset = 0;
+    std::uint32_t size = 0, stride = 0;
+    bool perLight = false;
+  };
   std::vector<Block> blocks_;
   std::vector<std::byte> staging_;
   std::vector<std::uint8_t*> data_;

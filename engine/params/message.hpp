@@ -6,7 +6,8 @@
 
 namespace tyndall::params {
 
-/// Named so that std::quoted is not found instead. 'text' in quotes, safe inside one line: control characters become '?', a long text is cut.
+/// Named so that std::quoted is not found instead. 'text' in quotes, safe inside one line: control characters become
+/// '?', a long text is cut.
 inline std::string quote(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   std::string out = "'";

@@ -60,8 +60,8 @@ class Reader : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception&) override {
     const auto before = json_.substr(0, std::min(position, json_.size()));
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    error = failed(std::string(source_) + ": is not valid JSON, line " + std::to_string(line) + " near " + quote(token) +
-                   "; a preset looks like {\"view.exposure\": 2}");
+    error = failed(std::string(source_) + ": is not valid JSON, line " + std::to_string(line) + " near " +
+                   quote(token) + "; a preset looks like {\"view.exposure\": 2}");
     return false;
   }
 
@@ -71,8 +71,11 @@ class Reader : public nlohmann::json_sax<Json> {
     return false;
   }
   bool wrongValue(const char* what) {
-    error = depth_ == 0 ? failed(std::string(source_) + ": holds " + what + "; a preset is an object like {\"view.exposure\": 2}")
-                        : badCall(std::string(source_) + ": " + quote(key_) + " is " + what + "; values are numbers, true, false or strings");
+    error =
+        depth_ == 0
+            ? failed(std::string(source_) + ": holds " + what + "; a preset is an object like {\"view.exposure\": 2}")
+            : badCall(std::string(source_) + ": " + quote(key_) + " is " + what +
+                      "; values are numbers, true, false or strings");
     return false;
   }
   bool entry(Entry e) {
@@ -133,10 +136,14 @@ std::string Table::writePreset(bool changedOnly) const {
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
     const Parameter& p = parameters_[i];
     if (changedOnly && values_[i] == p.defaultValue) continue;
-    if (p.type == Type::kBool) settings[p.id] = values_[i] != 0;
-    else if (p.type == Type::kEnum) settings[p.id] = toText(p, values_[i]);
-    else if (p.type == Type::kInt) settings[p.id] = static_cast<long long>(values_[i]);
-    else settings[p.id] = values_[i];
+    if (p.type == Type::kBool)
+      settings[p.id] = values_[i] != 0;
+    else if (p.type == Type::kEnum)
+      settings[p.id] = toText(p, values_[i]);
+    else if (p.type == Type::kInt)
+      settings[p.id] = static_cast<long long>(values_[i]);
+    else
+      settings[p.id] = values_[i];
   }
   nlohmann::ordered_json root;
   root["settings"] = std::move(settings);

@@ -29,8 +29,10 @@ Result<void> Table::add(std::vector<Parameter> parameters) {
   for (const Parameter& p : parameters) {
     if (p.id.empty()) return failed("a parameter of " + quote(p.owner) + " has no id; every parameter needs one");
     if (const Parameter* other = find(p.id))
-      return failed(p.id + ": is already a parameter of " + quote(other->owner) + "; " + quote(p.owner) + " must use another id");
-    if (!fresh.insert(p.id).second) return failed(p.id + ": appears twice in the table of " + quote(p.owner) + "; ids are unique");
+      return failed(p.id + ": is already a parameter of " + quote(other->owner) + "; " + quote(p.owner) +
+                    " must use another id");
+    if (!fresh.insert(p.id).second)
+      return failed(p.id + ": appears twice in the table of " + quote(p.owner) + "; ids are unique");
   }
   for (Parameter& p : parameters) {
     double value = p.defaultValue;

@@ -36,7 +36,9 @@ std::string wanted(const Parameter& p) {
   return "";
 }
 
-Error refuse(const Parameter& p, const std::string& what) { return badCall(p.id + ": " + what + "; give " + wanted(p)); }
+Error refuse(const Parameter& p, const std::string& what) {
+  return badCall(p.id + ": " + what + "; give " + wanted(p));
+}
 
 std::string builtNames(const Parameter& p) {
   std::string text;
@@ -47,9 +49,12 @@ std::string builtNames(const Parameter& p) {
 
 Error notBuilt(const Parameter& p, double value) {
   std::string right;
-  if (p.type == Type::kEnum) right = "built are: " + builtNames(p);
-  else if (p.type == Type::kBool) right = "use " + toText(p, value == 0 ? 1 : 0);
-  else right = "built are values from " + number(p.builtMin) + " to " + number(p.builtMax);
+  if (p.type == Type::kEnum)
+    right = "built are: " + builtNames(p);
+  else if (p.type == Type::kBool)
+    right = "use " + toText(p, value == 0 ? 1 : 0);
+  else
+    right = "built are values from " + number(p.builtMin) + " to " + number(p.builtMax);
   return badCall(p.id + ": " + quote(toText(p, value)) + " is not built yet; " + right);
 }
 

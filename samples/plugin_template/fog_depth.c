@@ -1,5 +1,5 @@
-/* fog_depth: a template for plugins. Everything a plugin needs is here: a parameter table, a layout, prepare, the entry.
- * Written in C11 to show that the ABI asks for nothing more; C++ does as well. */
+/* fog_depth: a template for plugins. Everything a plugin needs is here: a parameter table, a layout, prepare, the
+ * entry. Written in C11 to show that the ABI asks for nothing more; C++ does as well. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,14 +12,34 @@ enum { kSigmaT, kAlbedo, kTile, kParameterCount };
 static const char* const kTiles[] = {"8", "16"};
 
 static const TyParameter kParameters[kParameterCount] = {
-    [kSigmaT] = {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_FLOAT, .id = "fog_depth.sigma_t", .name = "Extinction",
-                 .unit = "1/m", .doc = "Extinction coefficient of the fog.", .default_value = 0.05, .min_value = 0, .max_value = 10},
-    [kAlbedo] = {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_FLOAT, .id = "fog_depth.albedo", .name = "Albedo", .unit = "",
-                 .doc = "Share of the extinguished light that is scattered instead of absorbed.", .default_value = 0.8, .min_value = 0,
+    [kSigmaT] = {.struct_size = sizeof(TyParameter),
+                 .type = TY_PARAMETER_FLOAT,
+                 .id = "fog_depth.sigma_t",
+                 .name = "Extinction",
+                 .unit = "1/m",
+                 .doc = "Extinction coefficient of the fog.",
+                 .default_value = 0.05,
+                 .min_value = 0,
+                 .max_value = 10},
+    [kAlbedo] = {.struct_size = sizeof(TyParameter),
+                 .type = TY_PARAMETER_FLOAT,
+                 .id = "fog_depth.albedo",
+                 .name = "Albedo",
+                 .unit = "",
+                 .doc = "Share of the extinguished light that is scattered instead of absorbed.",
+                 .default_value = 0.8,
+                 .min_value = 0,
                  .max_value = 1},
     /* Structural: a change needs other dispatch counts and another pipeline, so the host asks for a new layout. */
-    [kTile] = {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_ENUM, .id = "fog_depth.tile", .name = "Tile", .unit = "pixels",
-               .doc = "Side of a workgroup; changes speed only.", .choices = kTiles, .choice_count = 2, .flags = TY_PARAMETER_STRUCTURAL},
+    [kTile] = {.struct_size = sizeof(TyParameter),
+               .type = TY_PARAMETER_ENUM,
+               .id = "fog_depth.tile",
+               .name = "Tile",
+               .unit = "pixels",
+               .doc = "Side of a workgroup; changes speed only.",
+               .choices = kTiles,
+               .choice_count = 2,
+               .flags = TY_PARAMETER_STRUCTURAL},
 };
 
 static const TyParameter* parameters(uint32_t* count) {
@@ -75,7 +95,11 @@ static const TyLayout* layout(TyInstance* self, const TyDevice* device, const Ty
   const TyBinding bindings[3] = {
       {.struct_size = sizeof(TyBinding), .binding = 0, .source = TY_SOURCE_SCENE_DEPTH, .access = TY_ACCESS_SAMPLED},
       {.struct_size = sizeof(TyBinding), .binding = 1, .source = TY_SOURCE_OUTPUT, .access = TY_ACCESS_STORAGE_WRITE},
-      {.struct_size = sizeof(TyBinding), .binding = 2, .source = TY_SOURCE_UNIFORM, .index = 0, .access = TY_ACCESS_UNIFORM},
+      {.struct_size = sizeof(TyBinding),
+       .binding = 2,
+       .source = TY_SOURCE_UNIFORM,
+       .index = 0,
+       .access = TY_ACCESS_UNIFORM},
   };
   memcpy(self->bindings, bindings, sizeof bindings);
 
@@ -83,12 +107,22 @@ static const TyLayout* layout(TyInstance* self, const TyDevice* device, const Ty
   self->constants[0] = (TySpecialization){.id = 0, .value = tile};
   self->constants[1] = (TySpecialization){.id = 1, .value = tile};
 
-  self->pass = (TyPass){.struct_size = sizeof(TyPass), .kind = TY_PASS_COMPUTE, .name = "fog", .shader = "fog.comp",
-                        .bindings = self->bindings, .binding_count = 3,
+  self->pass = (TyPass){.struct_size = sizeof(TyPass),
+                        .kind = TY_PASS_COMPUTE,
+                        .name = "fog",
+                        .shader = "fog.comp",
+                        .bindings = self->bindings,
+                        .binding_count = 3,
                         .groups = {(structure->width + tile - 1) / tile, (structure->height + tile - 1) / tile, 1},
-                        .specializations = self->constants, .specialization_count = 2};
-  self->view = (TyDebugView){.struct_size = sizeof(TyDebugView), .source = TY_SOURCE_OUTPUT, .name = "fog_transmittance",
-                             .doc = "Share of the surface's light that reaches the eye", .channel = 3, .low = 0, .high = 1};
+                        .specializations = self->constants,
+                        .specialization_count = 2};
+  self->view = (TyDebugView){.struct_size = sizeof(TyDebugView),
+                             .source = TY_SOURCE_OUTPUT,
+                             .name = "fog_transmittance",
+                             .doc = "Share of the surface's light that reaches the eye",
+                             .channel = 3,
+                             .low = 0,
+                             .high = 1};
   self->layout.uniforms = &self->uniform;
   self->layout.uniform_count = 1;
   self->layout.passes = &self->pass;
@@ -111,7 +145,8 @@ static bool prepare(TyInstance* self, const TyFrame* frame, const TyUniformData*
   }
   Uniforms u;
   memcpy(u.view_from_clip, frame->view->view_from_clip, sizeof u.view_from_clip);
-  const float isotropic = 0.07957747155f; /* 1/(4 pi): the phase function of even scattering, normalised over the sphere */
+  const float isotropic =
+      0.07957747155f; /* 1/(4 pi): the phase function of even scattering, normalised over the sphere */
   for (int i = 0; i < 3; ++i) u.source[i] = (float)frame->values[kAlbedo] * isotropic * sun->radiance[i];
   u.sigma_t = (float)frame->values[kSigmaT];
   memcpy(out->data[0], &u, sizeof u);

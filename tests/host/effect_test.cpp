@@ -31,11 +31,13 @@ TEST_F(Effect, theTemplateIsTheClosedForm) {
     for (std::uint32_t y = 0; y < kHeight; ++y)
       for (std::uint32_t x = 0; x < kWidth; ++x) {
         const double d = depths_[y * kWidth + x], z = n * f / (d * (f - n) + n);
-        const double rx = ((x + 0.5) / kWidth * 2 - 1) * tangent * kWidth / kHeight, ry = ((y + 0.5) / kHeight * 2 - 1) * tangent;
+        const double rx = ((x + 0.5) / kWidth * 2 - 1) * tangent * kWidth / kHeight,
+                     ry = ((y + 0.5) / kHeight * 2 - 1) * tangent;
         const double s = z * std::sqrt(1 + rx * rx + ry * ry), t = std::exp(-sigma * s);
         const glm::vec4 got = picture.at(x, y);
         const double light = 1000 * albedo * (1 - t) / (4 * std::numbers::pi);
-        worst = std::max({worst, std::abs(got.a - t), std::abs(got.r - light) / 1000, std::abs(got.g - light * 0.5) / 1000, std::abs(got.b - light * 0.25) / 1000});
+        worst = std::max({worst, std::abs(got.a - t), std::abs(got.r - light) / 1000,
+                          std::abs(got.g - light * 0.5) / 1000, std::abs(got.b - light * 0.25) / 1000});
       }
     EXPECT_LT(worst, 2e-6) << "tile " << tile;
   }
@@ -65,12 +67,14 @@ TEST_F(Effect, everyKindOfPass) {
     for (std::uint32_t y = 0; y < kHeight; ++y)
       for (std::uint32_t x = 0; x < kWidth; ++x) {
         const auto frames = static_cast<float>(count);
-        ASSERT_EQ(picture.at(x, y), glm::vec4(frames + 30 + 70 + 40 + 1000 * (0.25f + 0.5f + 1.0f), frames, 0.25f + static_cast<float>(x) + 100.0f * static_cast<float>(y), 0.5f))
+        ASSERT_EQ(picture.at(x, y), glm::vec4(frames + 30 + 70 + 40 + 1000 * (0.25f + 0.5f + 1.0f), frames,
+                                              0.25f + static_cast<float>(x) + 100.0f * static_cast<float>(y), 0.5f))
             << x << ' ' << y << " frame " << count;
       }
     EXPECT_THAT(effect_->counters(), ElementsAre(Pair("groups run", 10), Pair("twice that", 20)));
   }
-  for (const char* pass : {"arguments", "count", "history", "clear", "light [light 0]", "add [light 0]", "light [light 2]", "add [light 2]", "accumulate"})
+  for (const char* pass : {"arguments", "count", "history", "clear", "light [light 0]", "add [light 0]",
+                           "light [light 2]", "add [light 2]", "accumulate"})
     EXPECT_TRUE(ran(pass)) << pass;
   EXPECT_FALSE(ran("light [light 3]"));
   for (const auto& time : times_) EXPECT_TRUE(time.owner == "passes" || time.name == "read back") << time.name;

@@ -51,12 +51,19 @@ class FrameFixture : public testing::Test {
     device_.reset();
   }
 
-  gpu::Image depthImage(const char* name, std::uint32_t w, std::uint32_t h, std::uint32_t layers, const std::vector<float>& depths) {
-    auto image = device_->createImage({.name = name, .format = VK_FORMAT_D32_SFLOAT, .width = w, .height = h, .layers = layers,
-                                       .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-                                                VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT});
+  gpu::Image depthImage(const char* name, std::uint32_t w, std::uint32_t h, std::uint32_t layers,
+                        const std::vector<float>& depths) {
+    auto image =
+        device_->createImage({.name = name,
+                              .format = VK_FORMAT_D32_SFLOAT,
+                              .width = w,
+                              .height = h,
+                              .layers = layers,
+                              .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+                                       VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT});
     EXPECT_TRUE(image) << image.error().message;
-    for (std::uint32_t layer = 0; layer < layers; ++layer) EXPECT_TRUE(device_->upload(*image, std::as_bytes(std::span(depths)), 0, layer));
+    for (std::uint32_t layer = 0; layer < layers; ++layer)
+      EXPECT_TRUE(device_->upload(*image, std::as_bytes(std::span(depths)), 0, layer));
     return image.take();
   }
 
@@ -97,12 +104,14 @@ class FrameFixture : public testing::Test {
     for (std::size_t i = 0; i < lights_.size(); ++i) {
       render::ShadowedLight light;
       light.light = lights_[i];
-      light.shadowMap = graph.import(shadowMaps_[i], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+      light.shadowMap = graph.import(shadowMaps_[i], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+                                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
       light.faceCount = lights_[i].light.kind == scene::LightKind::kPoint ? 6 : 1;
       light.size = 8;
       lights.push_back(light);
     }
-    const auto depth = graph.import(depth_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    const auto depth =
+        graph.import(depth_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     render::EffectInput input{graph, view_, depth, lights, reset, drawCasters_};
     auto output = effect_->addPasses(input);
     EXPECT_TRUE(output) << output.error().message;
@@ -135,17 +144,21 @@ class FrameFixture : public testing::Test {
   /// Reads a whole one-layer view of an image of 16-byte texels into a host buffer.
   gpu::Buffer copyOut(render::Graph& graph, render::ImageRef image) {
     const gpu::ImageDesc desc = graph.desc(image);
-    auto host = device_->createBuffer({.name = "read back", .size = std::uint64_t{desc.width} * desc.height * gpu::texelBytes(desc.format),
-                                       .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT, .hostVisible = true});
+    auto host = device_->createBuffer({.name = "read back",
+                                       .size = std::uint64_t{desc.width} * desc.height * gpu::texelBytes(desc.format),
+                                       .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                       .hostVisible = true});
     EXPECT_TRUE(host);
     const VkBuffer handle = host->handle();
     graph.pass("read back").use(image, render::Use::kTransferRead).keep().run([=](render::PassContext& context) {
       VkBufferImageCopy copy{};
       copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
       copy.imageExtent = {desc.width, desc.height, 1};
-      vkCmdCopyImageToBuffer(context.commands(), context.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, handle, 1, &copy);
-      VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                               VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
+      vkCmdCopyImageToBuffer(context.commands(), context.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, handle, 1,
+                             &copy);
+      VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,   nullptr,
+                               VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                               VK_PIPELINE_STAGE_2_HOST_BIT,         VK_ACCESS_2_HOST_READ_BIT};
       VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
       info.memoryBarrierCount = 1;
       info.pMemoryBarriers = &barrier;

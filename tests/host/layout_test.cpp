@@ -40,7 +40,8 @@ struct Given {
 
   Given() {
     const char* names[] = {"flat", "array", "volume", "depth", "uint", "history"};
-    const std::uint32_t formats[] = {TY_FORMAT_RGBA16_FLOAT, TY_FORMAT_RGBA8_UNORM, TY_FORMAT_R16_FLOAT, TY_FORMAT_D32_FLOAT, TY_FORMAT_R32_UINT, TY_FORMAT_R32_FLOAT};
+    const std::uint32_t formats[] = {TY_FORMAT_RGBA16_FLOAT, TY_FORMAT_RGBA8_UNORM, TY_FORMAT_R16_FLOAT,
+                                     TY_FORMAT_D32_FLOAT,    TY_FORMAT_R32_UINT,    TY_FORMAT_R32_FLOAT};
     for (std::uint32_t i = 0; i < kImageCount; ++i) {
       images[i] = {sizeof(TyImage), TY_IMAGE_2D, names[i], formats[i], 64, 32, 1, 1, 0};
     }
@@ -55,18 +56,26 @@ struct Given {
     uniforms[0] = {sizeof(TyUniformBlock), 0, "frame", 128};
     uniforms[1] = {sizeof(TyUniformBlock), 1, "light", 80};
 
-    pass(kFill, TY_PASS_COMPUTE, "fill", "fill.comp", {bind(0, TY_SOURCE_SCENE_DEPTH, 0, TY_ACCESS_SAMPLED), bind(1, TY_SOURCE_IMAGE, kArray, TY_ACCESS_STORAGE_WRITE),
-                                                       bind(2, TY_SOURCE_BUFFER, 0, TY_ACCESS_STORAGE_WRITE), bind(3, TY_SOURCE_UNIFORM, 0, TY_ACCESS_UNIFORM)});
+    pass(kFill, TY_PASS_COMPUTE, "fill", "fill.comp",
+         {bind(0, TY_SOURCE_SCENE_DEPTH, 0, TY_ACCESS_SAMPLED),
+          bind(1, TY_SOURCE_IMAGE, kArray, TY_ACCESS_STORAGE_WRITE),
+          bind(2, TY_SOURCE_BUFFER, 0, TY_ACCESS_STORAGE_WRITE), bind(3, TY_SOURCE_UNIFORM, 0, TY_ACCESS_UNIFORM)});
     passes[kFill].specializations = constants;
     passes[kFill].specialization_count = 2;
-    pass(kLight, TY_PASS_COMPUTE, "light", "light.comp", {bind(0, TY_SOURCE_SHADOW_MAP, 0, TY_ACCESS_SAMPLED), bind(1, TY_SOURCE_UNIFORM, 1, TY_ACCESS_UNIFORM),
-                                                          bind(2, TY_SOURCE_IMAGE, kFlat, TY_ACCESS_STORAGE_WRITE), bind(3, TY_SOURCE_IMAGE, kArray, TY_ACCESS_SAMPLED)});
-    pass(kSum, TY_PASS_COMPUTE, "sum", "sum.comp", {bind(0, TY_SOURCE_IMAGE, kFlat, TY_ACCESS_SAMPLED), bind(1, TY_SOURCE_IMAGE, kHistory, TY_ACCESS_STORAGE_READ_WRITE),
-                                                    bind(2, TY_SOURCE_IMAGE, kVolume, TY_ACCESS_STORAGE_WRITE), bind(3, TY_SOURCE_BUFFER, 1, TY_ACCESS_STORAGE_READ_WRITE)});
+    pass(kLight, TY_PASS_COMPUTE, "light", "light.comp",
+         {bind(0, TY_SOURCE_SHADOW_MAP, 0, TY_ACCESS_SAMPLED), bind(1, TY_SOURCE_UNIFORM, 1, TY_ACCESS_UNIFORM),
+          bind(2, TY_SOURCE_IMAGE, kFlat, TY_ACCESS_STORAGE_WRITE),
+          bind(3, TY_SOURCE_IMAGE, kArray, TY_ACCESS_SAMPLED)});
+    pass(kSum, TY_PASS_COMPUTE, "sum", "sum.comp",
+         {bind(0, TY_SOURCE_IMAGE, kFlat, TY_ACCESS_SAMPLED),
+          bind(1, TY_SOURCE_IMAGE, kHistory, TY_ACCESS_STORAGE_READ_WRITE),
+          bind(2, TY_SOURCE_IMAGE, kVolume, TY_ACCESS_STORAGE_WRITE),
+          bind(3, TY_SOURCE_BUFFER, 1, TY_ACCESS_STORAGE_READ_WRITE)});
     passes[kLight].per_light = passes[kSum].per_light = 1;
     passes[kSum].light_kinds = 1u << TY_LIGHT_DIRECTIONAL;
-    pass(kScreen, TY_PASS_FULL_SCREEN, "screen", "screen.frag", {bind(0, TY_SOURCE_IMAGE, kVolume, TY_ACCESS_SAMPLED, TY_SAMPLER_LINEAR_CLAMP),
-                                                                 bind(1, TY_SOURCE_BUFFER, 0, TY_ACCESS_STORAGE_READ)});
+    pass(kScreen, TY_PASS_FULL_SCREEN, "screen", "screen.frag",
+         {bind(0, TY_SOURCE_IMAGE, kVolume, TY_ACCESS_SAMPLED, TY_SAMPLER_LINEAR_CLAMP),
+          bind(1, TY_SOURCE_BUFFER, 0, TY_ACCESS_STORAGE_READ)});
     targets[0] = {sizeof(TyTarget), TY_SOURCE_OUTPUT, 0, 0, 0, 0, TY_BLEND_ADD, {}};
     targets[1] = {sizeof(TyTarget), TY_SOURCE_IMAGE, kUint, 0, 0, 0, TY_BLEND_NONE, {}};
     screenDepth = depth = {sizeof(TyTarget), TY_SOURCE_IMAGE, kDepth, 0, 0, 0, 0, {1, 0, 0, 0}};
@@ -77,7 +86,9 @@ struct Given {
     passes[kCasters].depth_target = &depth;
     passes[kCasters].caster_uniform = 1;
     passes[kCasters].per_light = 1;
-    pass(kIndirect, TY_PASS_COMPUTE_INDIRECT, "indirect", "indirect.comp", {bind(0, TY_SOURCE_OUTPUT, 0, TY_ACCESS_STORAGE_READ_WRITE), bind(1, TY_SOURCE_IMAGE, kDepth, TY_ACCESS_SAMPLED)});
+    pass(kIndirect, TY_PASS_COMPUTE_INDIRECT, "indirect", "indirect.comp",
+         {bind(0, TY_SOURCE_OUTPUT, 0, TY_ACCESS_STORAGE_READ_WRITE),
+          bind(1, TY_SOURCE_IMAGE, kDepth, TY_ACCESS_SAMPLED)});
     passes[kIndirect].indirect_buffer = 0;
     passes[kIndirect].indirect_offset = 52;
 
@@ -97,10 +108,12 @@ struct Given {
     layout.tunables = tunables, layout.tunable_count = 1;
   }
 
-  static TyBinding bind(std::uint32_t at, std::uint32_t source, std::uint32_t index, std::uint32_t access, std::uint32_t sampler = TY_SAMPLER_NEAREST_CLAMP) {
+  static TyBinding bind(std::uint32_t at, std::uint32_t source, std::uint32_t index, std::uint32_t access,
+                        std::uint32_t sampler = TY_SAMPLER_NEAREST_CLAMP) {
     return {sizeof(TyBinding), at, source, index, access, sampler, 0, 0, 0, 0};
   }
-  void pass(std::uint32_t i, std::uint32_t kind, const char* name, const char* shader, std::initializer_list<TyBinding> list) {
+  void pass(std::uint32_t i, std::uint32_t kind, const char* name, const char* shader,
+            std::initializer_list<TyBinding> list) {
     std::copy(list.begin(), list.end(), bindings[i]);
     TyPass& p = passes[i];
     p.struct_size = sizeof p;
@@ -222,20 +235,25 @@ TEST(LayoutRefused, bindings) {
       {"mixes uniform", [](Given& g) { g.bindings[kFill][1].access = TY_ACCESS_UNIFORM; }},
       {"samples a buffer", [](Given& g) { g.bindings[kFill][2].access = TY_ACCESS_SAMPLED; }},
       {"per-light uniform", [](Given& g) { g.bindings[kFill][3].index = 1; }},
-      {"shadow map in a pass that is not per light", [](Given& g) { g.bindings[kFill][0].source = TY_SOURCE_SHADOW_MAP; }},
+      {"shadow map in a pass that is not per light",
+       [](Given& g) { g.bindings[kFill][0].source = TY_SOURCE_SHADOW_MAP; }},
       {"part of a shadow map", [](Given& g) { g.bindings[kLight][0].layer_count = 1; }},
       {"depth image; sample it", [](Given& g) { g.bindings[kFill][0].access = TY_ACCESS_STORAGE_READ; }},
       {"linearly", [](Given& g) { g.bindings[kFill][0].sampler = TY_SAMPLER_LINEAR_CLAMP; }},
       {"mips beyond the image's 6", [](Given& g) { g.bindings[kLight][3].base_mip = 6; }},
-      {"mips beyond the image's 6", [](Given& g) { g.bindings[kLight][3].base_mip = 2, g.bindings[kLight][3].mip_count = 5; }},
+      {"mips beyond the image's 6",
+       [](Given& g) { g.bindings[kLight][3].base_mip = 2, g.bindings[kLight][3].mip_count = 5; }},
       {"layers beyond the image's 4", [](Given& g) { g.bindings[kLight][3].base_layer = 4; }},
-      {"layers beyond the image's 4", [](Given& g) { g.bindings[kLight][3].base_layer = 1, g.bindings[kLight][3].layer_count = TY_NONE; }},
+      {"layers beyond the image's 4",
+       [](Given& g) { g.bindings[kLight][3].base_layer = 1, g.bindings[kLight][3].layer_count = TY_NONE; }},
       {"several mips", [](Given& g) { g.bindings[kFill][1].mip_count = 2; }},
       {"only compute passes", [](Given& g) { g.bindings[kScreen][1].access = TY_ACCESS_STORAGE_READ_WRITE; }},
       {"only compute passes", [](Given& g) { g.bindings[kScreen][0].access = TY_ACCESS_STORAGE_READ; }},
       {"two ways", [](Given& g) { g.bindings[kLight][3] = Given::bind(3, TY_SOURCE_IMAGE, kFlat, TY_ACCESS_SAMPLED); }},
-      {"two ways", [](Given& g) { g.bindings[kLight][3] = Given::bind(3, TY_SOURCE_IMAGE, kFlat, TY_ACCESS_STORAGE_WRITE); }},
-      {"two ways", [](Given& g) { g.bindings[kIndirect][1] = Given::bind(1, TY_SOURCE_BUFFER, 0, TY_ACCESS_STORAGE_READ); }},
+      {"two ways",
+       [](Given& g) { g.bindings[kLight][3] = Given::bind(3, TY_SOURCE_IMAGE, kFlat, TY_ACCESS_STORAGE_WRITE); }},
+      {"two ways",
+       [](Given& g) { g.bindings[kIndirect][1] = Given::bind(1, TY_SOURCE_BUFFER, 0, TY_ACCESS_STORAGE_READ); }},
       {"two ways", [](Given& g) { g.bindings[kScreen][0] = Given::bind(0, TY_SOURCE_OUTPUT, 0, TY_ACCESS_SAMPLED); }},
   });
 }
@@ -253,7 +271,8 @@ TEST(LayoutRefused, passes) {
       {"no plain file name", [](Given& g) { g.passes[kFill].shader = "../../etc/fill.comp"; }},
       {"no plain file name", [](Given& g) { g.passes[kFill].shader = ".comp"; }},
       {"constant 0 is given twice", [](Given& g) { g.constants[1].id = 0; }},
-      {"compute pass with targets", [](Given& g) { g.passes[kFill].targets = g.targets, g.passes[kFill].target_count = 1; }},
+      {"compute pass with targets",
+       [](Given& g) { g.passes[kFill].targets = g.targets, g.passes[kFill].target_count = 1; }},
       {"indirect buffer 2", [](Given& g) { g.passes[kIndirect].indirect_buffer = 2; }},
       {"indirect_offset 56", [](Given& g) { g.passes[kIndirect].indirect_offset = 56; }},
       {"indirect_offset 2", [](Given& g) { g.passes[kIndirect].indirect_offset = 2; }},
@@ -322,7 +341,8 @@ TEST(Passes, lightsTakeTurnsWithinAGroup) {
   }
   layout.passes[2].d.light_kinds = 1u << TY_LIGHT_SPOT;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;
-  for (const PassRun& run : expandPasses(layout, {TY_LIGHT_DIRECTIONAL, TY_LIGHT_SPOT})) runs.emplace_back(run.pass, run.light);
+  for (const PassRun& run : expandPasses(layout, {TY_LIGHT_DIRECTIONAL, TY_LIGHT_SPOT}))
+    runs.emplace_back(run.pass, run.light);
   using P = std::pair<std::uint32_t, std::uint32_t>;
   EXPECT_THAT(runs, ElementsAre(P{0, TY_NONE}, P{1, 0}, P{1, 1}, P{2, 1}, P{3, TY_NONE}, P{4, 0}, P{4, 1}));
   EXPECT_EQ(expandPasses(layout, {}).size(), 2u);

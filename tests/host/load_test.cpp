@@ -89,7 +89,9 @@ TEST(Load, refusesInOneLine) {
   for (const auto& [name, says] : cases) {
     const auto plugin = Plugin::load(library(name));
     ASSERT_FALSE(plugin) << name;
-    EXPECT_THAT(plugin.error().message, AllOf(StartsWith(library(name).string() + ": "), HasSubstr(says), Not(HasSubstr("\n")))) << name;
+    EXPECT_THAT(plugin.error().message,
+                AllOf(StartsWith(library(name).string() + ": "), HasSubstr(says), Not(HasSubstr("\n"))))
+        << name;
     EXPECT_EQ(plugin.error().kind, ErrorKind::kFailed);
   }
   EXPECT_EQ(mappedPluginParts(), before) << "a refused plugin stays loaded";
@@ -105,7 +107,8 @@ TEST(Load, refusesWhatIsNoLibrary) {
   const auto refused = [&](const fs::path& file, const char* says) {
     const auto plugin = Plugin::load(file);
     ASSERT_FALSE(plugin) << file;
-    EXPECT_THAT(plugin.error().message, AllOf(StartsWith(file.string() + ": "), HasSubstr(says), Not(HasSubstr("\n")))) << file;
+    EXPECT_THAT(plugin.error().message, AllOf(StartsWith(file.string() + ": "), HasSubstr(says), Not(HasSubstr("\n"))))
+        << file;
   };
   refused(folder.path() / "missing.so", "No such file");
   refused(folder.path(), "regular file");

@@ -1,9 +1,8 @@
-// A plugin for the GPU tests: per-light groups, blending full-screen passes, history, counters, an indirect dispatch, sub-views,
-// a tunable. What each pixel of the output must be is computed again in effect_test.cpp.
-//   output.r = output.g + sum over lights of (radiance.r * weight + 1000 * shadow depth), summed by additive full-screen passes
-//   output.g = number of frames since the history was cleared
-//   output.b = what the indirect dispatch stored through mip 1 of layer 1 of an array image
-//   output.a = 0.5
+// A plugin for the GPU tests: per-light groups, blending full-screen passes, history, counters, an indirect dispatch,
+// sub-views, a tunable. What each pixel of the output must be is computed again in effect_test.cpp.
+//   output.r = output.g + sum over lights of (radiance.r * weight + 1000 * shadow depth), summed by additive
+//   full-screen passes output.g = number of frames since the history was cleared output.b = what the indirect dispatch
+//   stored through mip 1 of layer 1 of an array image output.a = 0.5
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -31,7 +30,8 @@ const char* const kVariants[] = {"auto", "one", "two"};
 const char* const kBreaks[] = {"nothing", "shader", "binding", "pass", "huge", "null", "casters", "prepare"};
 const TyHost* g_host = nullptr;
 
-TyParameter parameter(const char* id, std::uint32_t type, double def, double max, const char* const* choices, std::uint32_t count, std::uint32_t flags) {
+TyParameter parameter(const char* id, std::uint32_t type, double def, double max, const char* const* choices,
+                      std::uint32_t count, std::uint32_t flags) {
   TyParameter p{};
   p.struct_size = sizeof p;
   p.type = type;
@@ -44,9 +44,10 @@ TyParameter parameter(const char* id, std::uint32_t type, double def, double max
   p.flags = flags;
   return p;
 }
-const TyParameter kTable[kParameters] = {parameter("passes.weight", TY_PARAMETER_FLOAT, 1, 100, nullptr, 0, 0),
-                                         parameter("passes.variant", TY_PARAMETER_ENUM, 0, 0, kVariants, 3, TY_PARAMETER_STRUCTURAL),
-                                         parameter("passes.break", TY_PARAMETER_ENUM, 0, 0, kBreaks, 8, TY_PARAMETER_STRUCTURAL)};
+const TyParameter kTable[kParameters] = {
+    parameter("passes.weight", TY_PARAMETER_FLOAT, 1, 100, nullptr, 0, 0),
+    parameter("passes.variant", TY_PARAMETER_ENUM, 0, 0, kVariants, 3, TY_PARAMETER_STRUCTURAL),
+    parameter("passes.break", TY_PARAMETER_ENUM, 0, 0, kBreaks, 8, TY_PARAMETER_STRUCTURAL)};
 
 TyBinding bind(std::uint32_t at, std::uint32_t source, std::uint32_t index, std::uint32_t access) {
   TyBinding b{};
@@ -58,7 +59,8 @@ TyBinding bind(std::uint32_t at, std::uint32_t source, std::uint32_t index, std:
   return b;
 }
 
-void image(TyInstance& s, const char* name, std::uint32_t format, std::uint32_t w, std::uint32_t h, std::uint32_t layers, std::uint32_t mips, std::uint32_t flags) {
+void image(TyInstance& s, const char* name, std::uint32_t format, std::uint32_t w, std::uint32_t h,
+           std::uint32_t layers, std::uint32_t mips, std::uint32_t flags) {
   TyImage i{};
   i.struct_size = sizeof i;
   i.kind = layers > 1 ? TY_IMAGE_2D_ARRAY : TY_IMAGE_2D;
@@ -99,7 +101,8 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
   image(s, "one light", TY_FORMAT_RGBA32_FLOAT, w, h, 1, 1, 0);
   image(s, "all lights", TY_FORMAT_RGBA32_FLOAT, w, h, 1, 1, 0);
   image(s, "frames", TY_FORMAT_R32_FLOAT, w, h, 1, 1, TY_RESOURCE_HISTORY);
-  image(s, "layers", TY_FORMAT_R32_FLOAT, broken == 4 ? 16384u : 2 * w, broken == 4 ? 16384u : 2 * h, broken == 4 ? 2048u : 3u, 2, 0);
+  image(s, "layers", TY_FORMAT_R32_FLOAT, broken == 4 ? 16384u : 2 * w, broken == 4 ? 16384u : 2 * h,
+        broken == 4 ? 2048u : 3u, 2, 0);
   s.buffers.push_back({sizeof(TyBuffer), 0, "arguments", 16});
   s.buffers.push_back({sizeof(TyBuffer), 0, "counted", 8});
   s.buffers.push_back({sizeof(TyBuffer), TY_RESOURCE_HISTORY, "kept", 16});
@@ -112,12 +115,17 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
   part.base_mip = 1;
   part.base_layer = 1;
   part.layer_count = 1;
-  pass(s, TY_PASS_COMPUTE_INDIRECT, "count", broken == 1 ? "missing.comp" : "count.comp", {part, bind(1, TY_SOURCE_BUFFER, 1, TY_ACCESS_STORAGE_READ_WRITE)}).indirect_offset = 4;
+  pass(s, TY_PASS_COMPUTE_INDIRECT, "count", broken == 1 ? "missing.comp" : "count.comp",
+       {part, bind(1, TY_SOURCE_BUFFER, 1, TY_ACCESS_STORAGE_READ_WRITE)})
+      .indirect_offset = 4;
   pass(s, TY_PASS_COMPUTE, "history", "history.comp",
-       {bind(0, TY_SOURCE_IMAGE, 2, TY_ACCESS_STORAGE_READ_WRITE), bind(1, TY_SOURCE_BUFFER, 2, TY_ACCESS_STORAGE_READ_WRITE)});
+       {bind(0, TY_SOURCE_IMAGE, 2, TY_ACCESS_STORAGE_READ_WRITE),
+        bind(1, TY_SOURCE_BUFFER, 2, TY_ACCESS_STORAGE_READ_WRITE)});
   s.passes.back().groups[0] = gx, s.passes.back().groups[1] = gy;
-  TyPass& light = pass(s, TY_PASS_COMPUTE, "light", "per_light.comp",
-                       {bind(0, TY_SOURCE_IMAGE, 0, TY_ACCESS_STORAGE_WRITE), bind(1, TY_SOURCE_UNIFORM, 0, TY_ACCESS_UNIFORM), bind(2, TY_SOURCE_SHADOW_MAP, 0, TY_ACCESS_SAMPLED)});
+  TyPass& light =
+      pass(s, TY_PASS_COMPUTE, "light", "per_light.comp",
+           {bind(0, TY_SOURCE_IMAGE, 0, TY_ACCESS_STORAGE_WRITE), bind(1, TY_SOURCE_UNIFORM, 0, TY_ACCESS_UNIFORM),
+            bind(2, TY_SOURCE_SHADOW_MAP, 0, TY_ACCESS_SAMPLED)});
   light.per_light = 1;
   light.groups[0] = (w + s.size.value - 1) / s.size.value, light.groups[1] = (h + s.size.value - 1) / s.size.value;
   light.specialization_count = 1;
@@ -134,8 +142,8 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
   s.bindings.insert(s.bindings.begin() + 3, {bind(0, TY_SOURCE_IMAGE, 2, TY_ACCESS_SAMPLED)});
   s.passes.insert(s.passes.begin() + 3, clear);
   pass(s, TY_PASS_COMPUTE, "accumulate", "accumulate.comp",
-       {bind(0, TY_SOURCE_OUTPUT, 0, TY_ACCESS_STORAGE_WRITE), bind(1, TY_SOURCE_IMAGE, 1, TY_ACCESS_SAMPLED), bind(2, TY_SOURCE_IMAGE, 2, TY_ACCESS_SAMPLED),
-        bind(3, TY_SOURCE_IMAGE, 3, TY_ACCESS_SAMPLED)});
+       {bind(0, TY_SOURCE_OUTPUT, 0, TY_ACCESS_STORAGE_WRITE), bind(1, TY_SOURCE_IMAGE, 1, TY_ACCESS_SAMPLED),
+        bind(2, TY_SOURCE_IMAGE, 2, TY_ACCESS_SAMPLED), bind(3, TY_SOURCE_IMAGE, 3, TY_ACCESS_SAMPLED)});
   s.passes.back().groups[0] = gx, s.passes.back().groups[1] = gy;
   if (broken == 3) s.passes.back().groups[2] = 0;
   if (broken == 6) {
@@ -143,7 +151,7 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
     casters.struct_size = sizeof casters;
     casters.kind = TY_PASS_CASTERS;
     casters.name = "casters";
-    image(s, "caster depth", TY_FORMAT_D32_FLOAT, 16, 16, 1, 1, 0);
+    image(s, "caster depth", TY_FORMAT_D32_FLOAT, 16, 16, 1, 1, TY_RESOURCE_HISTORY);  // kept, so the pass has a reader
     casters.caster_uniform = 2;
     s.uniforms.push_back({sizeof(TyUniformBlock), 0, "casters", 64});
     s.casterDepth = {sizeof(TyTarget), TY_SOURCE_IMAGE, 4, 0, 0, 0, 0, {}};
@@ -184,6 +192,11 @@ bool prepare(TyInstance*, const TyFrame* frame, const TyUniformData* out) {
   }
   const float scalars[4] = {static_cast<float>(frame->reset), 0, 0, 0};
   std::memcpy(out->data[1], scalars, sizeof scalars);
+  if (frame->values[kBreak] == 6)
+    for (int i = 0; i < 16; ++i) {
+      const float element = static_cast<float>(i);
+      std::memcpy(out->data[2] + 4 * i, &element, sizeof element);
+    }
   return true;
 }
 
@@ -198,9 +211,17 @@ const TyPlugin tyndall_plugin = {
     .name = "Passes",
     .version = "1.0.0",
     .doc = "For tests.",
-    .init = [](const TyHost* host) { g_host = host; return true; },
+    .init =
+        [](const TyHost* host) {
+          g_host = host;
+          return true;
+        },
     .shutdown = [] {},
-    .parameters = [](std::uint32_t* count) { *count = kParameters; return static_cast<const TyParameter*>(kTable); },
+    .parameters =
+        [](std::uint32_t* count) {
+          *count = kParameters;
+          return static_cast<const TyParameter*>(kTable);
+        },
     .techniques = nullptr,
     .create = [] { return new TyInstance; },
     .destroy = [](TyInstance* s) { delete s; },

@@ -20,7 +20,9 @@ std::vector<std::uint32_t> fog() {
   return code;
 }
 
-const std::vector<ShaderBinding> kFog = {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}, {2, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}};
+const std::vector<ShaderBinding> kFog = {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+                                         {1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE},
+                                         {2, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}};
 
 TEST(Spirv, bindingsOfTheTemplate) {
   const auto bindings = shaderBindings(fog());
@@ -32,10 +34,12 @@ TEST(Spirv, bindingsOfTheTemplate) {
 TEST(Spirv, aTableThatDisagreesIsRefused) {
   auto fewer = kFog;
   fewer.pop_back();
-  EXPECT_THAT(checkShaderBindings(fog(), fewer).error().message, HasSubstr("binding 2 as a uniform block, which the pass's table lacks"));
+  EXPECT_THAT(checkShaderBindings(fog(), fewer).error().message,
+              HasSubstr("binding 2 as a uniform block, which the pass's table lacks"));
   auto other = kFog;
   other[0].type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-  EXPECT_THAT(checkShaderBindings(fog(), other).error().message, HasSubstr("binding 0 as a sampled image, but the pass's table gives a storage image"));
+  EXPECT_THAT(checkShaderBindings(fog(), other).error().message,
+              HasSubstr("binding 0 as a sampled image, but the pass's table gives a storage image"));
   auto more = kFog;
   more.push_back({9, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
   EXPECT_TRUE(checkShaderBindings(fog(), more));

@@ -27,17 +27,23 @@ TEST(Version, sameMajorAndNoNewerMinor) {
 }
 
 TEST(Structs, haveTheSameSizeInCAndCpp) {
-  const std::size_t sizes[] = {sizeof(TyParameter), sizeof(TyDevice), sizeof(TyStructure), sizeof(TyImage), sizeof(TyBuffer), sizeof(TyUniformBlock),
-                               sizeof(TyBinding), sizeof(TyTarget), sizeof(TyPass), sizeof(TyDebugView), sizeof(TyCounters), sizeof(TyTunable),
-                               sizeof(TyLayout), sizeof(TyView), sizeof(TyLight), sizeof(TyFrame), sizeof(TyUniformData), sizeof(TyHost),
-                               sizeof(TyTechnique), sizeof(TyPlugin)};
+  const std::size_t sizes[] = {sizeof(TyParameter),   sizeof(TyDevice),       sizeof(TyStructure), sizeof(TyImage),
+                               sizeof(TyBuffer),      sizeof(TyUniformBlock), sizeof(TyBinding),   sizeof(TyTarget),
+                               sizeof(TyPass),        sizeof(TyDebugView),    sizeof(TyCounters),  sizeof(TyTunable),
+                               sizeof(TyLayout),      sizeof(TyView),         sizeof(TyLight),     sizeof(TyFrame),
+                               sizeof(TyUniformData), sizeof(TyHost),         sizeof(TyTechnique), sizeof(TyPlugin)};
   ASSERT_EQ(std::size(sizes), abiSizeCountInC);
   for (std::size_t i = 0; i < std::size(sizes); ++i) EXPECT_EQ(sizes[i], abiSizesInC[i]) << i;
 }
 
 /// An element as an older (shorter) or newer (longer) side would make it.
-struct Older { std::uint32_t struct_size, binding, source; };
-struct Newer { TyBinding known; std::uint32_t future[3]; };
+struct Older {
+  std::uint32_t struct_size, binding, source;
+};
+struct Newer {
+  TyBinding known;
+  std::uint32_t future[3];
+};
 
 TEST(Structs, olderOnesAreFilledWithZeros) {
   const Older old{sizeof(Older), 7, TY_SOURCE_OUTPUT};

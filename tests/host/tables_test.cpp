@@ -73,7 +73,11 @@ TEST(Row, unbuiltValues) {
 
 TEST(Row, malformedOnesAreRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  struct Case { std::function<void(TyParameter&)> spoil; const char* says; TyParameter row; };
+  struct Case {
+    std::function<void(TyParameter&)> spoil;
+    const char* says;
+    TyParameter row;
+  };
   for (const Case& c : {Case{[](TyParameter& p) { p.id = nullptr; }, "null", number()},
                         {[](TyParameter& p) { p.id = ""; }, "empty", number()},
                         {[](TyParameter& p) { p.id = "steps"; }, "group.name", number()},

@@ -62,7 +62,8 @@ TEST(Tuner, remembersBetweenRuns) {
 TEST(Tuner, aDamagedFileIsAnEmptyOne) {
   test::TemporaryFolder folder;
   const auto file = folder.path() / "tunables.json";
-  for (const std::string& text : {std::string(""), std::string("["), std::string("[1]"), std::string(R"({"k": "20"})"), std::string(R"({"k": 17})"), std::string(100000, '[')}) {
+  for (const std::string& text : {std::string(""), std::string("["), std::string("[1]"), std::string(R"({"k": "20"})"),
+                                  std::string(R"({"k": 17})"), std::string(100000, '[')}) {
     ASSERT_TRUE(writeTextAtomically(file, text));
     Tuner tuner{TunerStore(file)};
     EXPECT_FALSE(tuner.current("k", kVariants).settled) << text.substr(0, 20);

@@ -8,25 +8,76 @@
 int tyndall_test_function_that_nobody_defines(void);
 #endif
 
-struct TyInstance { int unused; };
+struct TyInstance {
+  int unused;
+};
 
 static const char* const kModes[] = {"none", "plain", "fancy"};
 #ifdef REBUILT /* the same plugin after its author went on: another order, range, default and version */
 #define VERSION "2.0.0"
 static const TyParameter kParameters[] = {
-    {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_FLOAT, .id = "variant.untouched", .name = "", .unit = "", .doc = "", .default_value = 3, .max_value = 10},
-    {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_INT, .id = "variant.far", .name = "", .unit = "", .doc = "", .default_value = 1, .max_value = 5},
-    {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_FLOAT, .id = "variant.kept", .name = "", .unit = "", .doc = "", .default_value = 1, .max_value = 10},
-    {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_ENUM, .id = "variant.mode", .name = "", .unit = "", .doc = "", .choices = kModes, .choice_count = 3},
+    {.struct_size = sizeof(TyParameter),
+     .type = TY_PARAMETER_FLOAT,
+     .id = "variant.untouched",
+     .name = "",
+     .unit = "",
+     .doc = "",
+     .default_value = 3,
+     .max_value = 10},
+    {.struct_size = sizeof(TyParameter),
+     .type = TY_PARAMETER_INT,
+     .id = "variant.far",
+     .name = "",
+     .unit = "",
+     .doc = "",
+     .default_value = 1,
+     .max_value = 5},
+    {.struct_size = sizeof(TyParameter),
+     .type = TY_PARAMETER_FLOAT,
+     .id = "variant.kept",
+     .name = "",
+     .unit = "",
+     .doc = "",
+     .default_value = 1,
+     .max_value = 10},
+    {.struct_size = sizeof(TyParameter),
+     .type = TY_PARAMETER_ENUM,
+     .id = "variant.mode",
+     .name = "",
+     .unit = "",
+     .doc = "",
+     .choices = kModes,
+     .choice_count = 3},
 };
 #define SELECTOR 3u
 #else
 #define VERSION "1.0.0"
 static const TyParameter kParameters[] = {
-    {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_FLOAT, .id = "variant.kept", .name = "", .unit = "", .doc = "", .default_value = 1, .max_value = 10},
-    {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_INT, .id = "variant.far", .name = "", .unit = "", .doc = "", .default_value = 1, .max_value = 10},
-    {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_ENUM, .id = "variant.mode", .name = "", .unit = "", .doc = "", .choices = kModes,
-     .choice_count = 3, .default_value =
+    {.struct_size = sizeof(TyParameter),
+     .type = TY_PARAMETER_FLOAT,
+     .id = "variant.kept",
+     .name = "",
+     .unit = "",
+     .doc = "",
+     .default_value = 1,
+     .max_value = 10},
+    {.struct_size = sizeof(TyParameter),
+     .type = TY_PARAMETER_INT,
+     .id = "variant.far",
+     .name = "",
+     .unit = "",
+     .doc = "",
+     .default_value = 1,
+     .max_value = 10},
+    {.struct_size = sizeof(TyParameter),
+     .type = TY_PARAMETER_ENUM,
+     .id = "variant.mode",
+     .name = "",
+     .unit = "",
+     .doc = "",
+     .choices = kModes,
+     .choice_count = 3,
+     .default_value =
 #ifdef DEFAULT_NOT_BUILT
          2
 #else
@@ -34,13 +85,32 @@ static const TyParameter kParameters[] = {
 #endif
     },
 #ifdef DUPLICATE_ID
-    {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_BOOL, .id = "variant.kept", .name = "", .unit = "", .doc = ""},
+    {.struct_size = sizeof(TyParameter),
+     .type = TY_PARAMETER_BOOL,
+     .id = "variant.kept",
+     .name = "",
+     .unit = "",
+     .doc = ""},
 #elif defined(UNSIZED_ROW)
     {.struct_size = 0, .type = TY_PARAMETER_BOOL, .id = "variant.unsized", .name = "", .unit = "", .doc = ""},
 #elif defined(NAN_DEFAULT)
-    {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_FLOAT, .id = "variant.nan", .name = "", .unit = "", .doc = "", .default_value = NAN, .max_value = 1},
+    {.struct_size = sizeof(TyParameter),
+     .type = TY_PARAMETER_FLOAT,
+     .id = "variant.nan",
+     .name = "",
+     .unit = "",
+     .doc = "",
+     .default_value = NAN,
+     .max_value = 1},
 #else
-    {.struct_size = sizeof(TyParameter), .type = TY_PARAMETER_FLOAT, .id = "variant.untouched", .name = "", .unit = "", .doc = "", .default_value = 2, .max_value = 10},
+    {.struct_size = sizeof(TyParameter),
+     .type = TY_PARAMETER_FLOAT,
+     .id = "variant.untouched",
+     .name = "",
+     .unit = "",
+     .doc = "",
+     .default_value = 2,
+     .max_value = 10},
 #endif
 };
 #define SELECTOR 2u
@@ -53,7 +123,8 @@ static bool init(const TyHost* host) {
   host->log(host->context, TY_LOG_WARNING, "I do not\nwant to");
   return false;
 #else
-  return host->struct_size >= sizeof(TyHost) && host->abi_version == TY_ABI_VERSION && host->get_extension(host->context, "none") == NULL;
+  return host->struct_size >= sizeof(TyHost) && host->abi_version == TY_ABI_VERSION &&
+         host->get_extension(host->context, "none") == NULL;
 #endif
 }
 static void shutdown(void) {}
@@ -73,7 +144,12 @@ static const TyParameter* parameters(uint32_t* count) {
 
 static const TyTechnique* techniques(uint32_t* count, uint32_t* selector) {
   static const char* const reads[] = {"variant.kept"};
-  static const TyTechnique plain = {.struct_size = sizeof(TyTechnique), .read_count = 1, .id = "plain", .name = "Plain", .doc = "Nothing.", .reads = reads};
+  static const TyTechnique plain = {.struct_size = sizeof(TyTechnique),
+                                    .read_count = 1,
+                                    .id = "plain",
+                                    .name = "Plain",
+                                    .doc = "Nothing.",
+                                    .reads = reads};
   *count = 1;
 #ifdef BAD_SELECTOR
   *selector = 99;

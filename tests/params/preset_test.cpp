@@ -24,7 +24,8 @@ struct Preset : testing::Test {
 
 TEST_F(Preset, takesNumbersBooleansStringsAndSettings) {
   ASSERT_TRUE(table.readPreset(R"({"view.exposure": 2.5, "settings": {"fog.flag": true, "shadows.resolution": "512",
-                                   "shadows.precision": 128, "shadows.mode": "pcf"}})", "p.json"));
+                                   "shadows.precision": 128, "shadows.mode": "pcf"}})",
+                               "p.json"));
   EXPECT_EQ(table.value("view.exposure"), 2.5);
   EXPECT_EQ(table.value("fog.flag"), 1);
   EXPECT_EQ(table.value("shadows.resolution"), 512);

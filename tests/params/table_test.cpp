@@ -103,8 +103,8 @@ TEST(Table, aReloadedPluginKeepsItsValues) {
   EXPECT_EQ(table.find("p.kept"), nullptr);
   EXPECT_EQ(table.value("view.exposure"), 2);
   // The rebuilt plugin: a narrower range, another default, choices in another order, one choice dropped.
-  ASSERT_TRUE(table.add({choice("p.gone", {"old", "other"}), choice("p.mode", {"zero", "one", "two"}), number("p.untouched", 0, 1, 0.25),
-                         number("p.tooFar", 0, 5, 1), number("p.kept", 0, 1, 0.5)}));
+  ASSERT_TRUE(table.add({choice("p.gone", {"old", "other"}), choice("p.mode", {"zero", "one", "two"}),
+                         number("p.untouched", 0, 1, 0.25), number("p.tooFar", 0, 5, 1), number("p.kept", 0, 1, 0.5)}));
   EXPECT_EQ(table.value("p.kept"), 0.75);
   EXPECT_EQ(table.value("p.tooFar"), 1);
   EXPECT_EQ(table.value("p.untouched"), 0.25);

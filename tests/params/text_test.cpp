@@ -53,9 +53,18 @@ struct Case {
 };
 
 TEST(Text, reads) {
-  for (const Case& c : {Case{steps(), "17", 17}, {steps(), "1", 1}, {steps(), "1024", 1024}, {density(), "0.03", 0.03},
-                        {density(), "1e-3", 1e-3}, {density(), "10", 10}, {density(), "0", 0}, {mode(), "ray_march", 0},
-                        {mode(), "64", 2}, {reuse(), "false", 0}, {reuse(), "0", 0}, {reuse(), "off", 0}}) {
+  for (const Case& c : {Case{steps(), "17", 17},
+                        {steps(), "1", 1},
+                        {steps(), "1024", 1024},
+                        {density(), "0.03", 0.03},
+                        {density(), "1e-3", 1e-3},
+                        {density(), "10", 10},
+                        {density(), "0", 0},
+                        {mode(), "ray_march", 0},
+                        {mode(), "64", 2},
+                        {reuse(), "false", 0},
+                        {reuse(), "0", 0},
+                        {reuse(), "off", 0}}) {
     const auto value = fromText(c.parameter, c.text);
     ASSERT_TRUE(value) << c.text << ": " << value.error().message;
     EXPECT_EQ(*value, c.value) << c.text;
@@ -63,7 +72,8 @@ TEST(Text, reads) {
 }
 
 TEST(Text, roundTrips) {
-  for (const double value : {0.03, 1.0 / 3, 1e-7, 9.999999, 0.1 + 0.2}) EXPECT_EQ(*fromText(density(), toText(density(), value)), value);
+  for (const double value : {0.03, 1.0 / 3, 1e-7, 9.999999, 0.1 + 0.2})
+    EXPECT_EQ(*fromText(density(), toText(density(), value)), value);
   EXPECT_EQ(toText(density(), 0.03), "0.03");
   EXPECT_EQ(toText(steps(), 17), "17");
   EXPECT_EQ(toText(steps(), 100000), "100000");
@@ -78,17 +88,34 @@ struct Refusal {
 };
 
 TEST(Text, refuses) {
-  for (const Refusal& c :
-       {Refusal{steps(), "17.5", "not a whole number"}, {steps(), "", "not a whole number"}, {steps(), "1e2", "not a whole number"},
-        {steps(), " 17", "not a whole number"}, {steps(), "17 ", "not a whole number"}, {steps(), "0x10", "not a whole number"},
-        {steps(), "0", "1 to 4096"}, {steps(), "-1", "1 to 4096"}, {steps(), "5000", "1 to 4096"},
-        {steps(), "99999999999999999999999", "1 to 4096"}, {steps(), "1025", "not built yet"},
-        {steps(), "many\nlines", "'many?lines'"}, {steps(), std::string(100000, '9'), "outside the range"},
-        {density(), "nan", "finite"}, {density(), "inf", "finite"}, {density(), "-inf", "finite"}, {density(), "1e999", "outside the range"},
-        {density(), "10.001", "0 to 10"}, {density(), "-1e-30", "0 to 10"}, {density(), "0,5", "not a number"},
-        {density(), "0.5x", "not a number"}, {density(), "", "not a number"}, {mode(), "ray_marsh", "'ray_march'"},
-        {mode(), "0", "ray_march, min_max, 64"}, {mode(), "min_max", "'min_max' is not built yet; built are: ray_march, 64"},
-        {mode(), "", "no choice"}, {reuse(), "maybe", "neither true nor false"}, {reuse(), "true", "not built yet; use false"}}) {
+  for (const Refusal& c : {Refusal{steps(), "17.5", "not a whole number"},
+                           {steps(), "", "not a whole number"},
+                           {steps(), "1e2", "not a whole number"},
+                           {steps(), " 17", "not a whole number"},
+                           {steps(), "17 ", "not a whole number"},
+                           {steps(), "0x10", "not a whole number"},
+                           {steps(), "0", "1 to 4096"},
+                           {steps(), "-1", "1 to 4096"},
+                           {steps(), "5000", "1 to 4096"},
+                           {steps(), "99999999999999999999999", "1 to 4096"},
+                           {steps(), "1025", "not built yet"},
+                           {steps(), "many\nlines", "'many?lines'"},
+                           {steps(), std::string(100000, '9'), "outside the range"},
+                           {density(), "nan", "finite"},
+                           {density(), "inf", "finite"},
+                           {density(), "-inf", "finite"},
+                           {density(), "1e999", "outside the range"},
+                           {density(), "10.001", "0 to 10"},
+                           {density(), "-1e-30", "0 to 10"},
+                           {density(), "0,5", "not a number"},
+                           {density(), "0.5x", "not a number"},
+                           {density(), "", "not a number"},
+                           {mode(), "ray_marsh", "'ray_march'"},
+                           {mode(), "0", "ray_march, min_max, 64"},
+                           {mode(), "min_max", "'min_max' is not built yet; built are: ray_march, 64"},
+                           {mode(), "", "no choice"},
+                           {reuse(), "maybe", "neither true nor false"},
+                           {reuse(), "true", "not built yet; use false"}}) {
     const auto value = fromText(c.parameter, c.text);
     ASSERT_FALSE(value) << c.parameter.id << "=" << c.text;
     EXPECT_EQ(value.error().kind, ErrorKind::kBadCall);

@@ -1,5 +1,5 @@
-// Reading what comes across the plugin ABI: sized structs, arrays of them, strings, versions. Nothing here trusts a number
-// that a plugin gave before it is checked.
+// Reading what comes across the plugin ABI: sized structs, arrays of them, strings, versions. Nothing here trusts a
+// number that a plugin gave before it is checked.
 #pragma once
 
 #include <algorithm>
@@ -38,18 +38,23 @@ template <class T>
 Result<std::vector<T>> readArray(const T* first, std::uint32_t count, const std::string& what) {
   std::vector<T> elements;
   if (count == 0) return elements;
-  if (first == nullptr) return failed(what + ": the array is null but its count is " + std::to_string(count) + "; give the array or count 0");
+  if (first == nullptr)
+    return failed(what + ": the array is null but its count is " + std::to_string(count) +
+                  "; give the array or count 0");
   if (count > kMostElements)
-    return failed(what + ": there are " + std::to_string(count) + "; at most " + std::to_string(kMostElements) + " are taken");
+    return failed(what + ": there are " + std::to_string(count) + "; at most " + std::to_string(kMostElements) +
+                  " are taken");
   const char* bytes = reinterpret_cast<const char*>(first);
   std::uint32_t stride = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     std::uint32_t size = 0;
     std::memcpy(&size, bytes + std::size_t{i} * stride, sizeof size);
     if (i == 0) stride = size;
-    // 64 KiB: larger than any struct can grow to; a size that differs from the first means that the array was not filled.
+    // 64 KiB: larger than any struct can grow to; a size that differs from the first means that the array was not
+    // filled.
     if (size < sizeof size || size > 65536 || size != stride)
-      return failed(what + "[" + std::to_string(i) + "]: struct_size is " + std::to_string(size) + "; every element needs the sizeof of its type");
+      return failed(what + "[" + std::to_string(i) + "]: struct_size is " + std::to_string(size) +
+                    "; every element needs the sizeof of its type");
     elements.push_back(readStruct<T>(bytes + std::size_t{i} * stride));
   }
   return elements;

@@ -14,30 +14,36 @@
 
 namespace tyndall::host {
 
-struct TechniqueInfo { std::string id, name, doc; std::vector<std::string> reads; };
-struct PluginDebugView { std::string name, doc; };
+struct TechniqueInfo {
+  std::string id, name, doc;
+  std::vector<std::string> reads;
+};
+struct PluginDebugView {
+  std::string name, doc;
+};
 
 /// A loaded plugin: library, tables (copied), instance.
 class Plugin {
  public:
-  /// Loads a uniquely named copy of `library` (so that a rebuilt one can be loaded beside it), checks the ABI version before
-  /// anything else, calls init and create. Errors: missing file, not a shared library, no entry symbol, another ABI version
-  /// (both are named), a duplicate or malformed parameter table, init or create failed.
+  /// Loads a uniquely named copy of `library` (so that a rebuilt one can be loaded beside it), checks the ABI version
+  /// before anything else, calls init and create. Errors: missing file, not a shared library, no entry symbol, another
+  /// ABI version (both are named), a duplicate or malformed parameter table, init or create failed.
   static Result<std::unique_ptr<Plugin>> load(const std::filesystem::path& library);
-  ~Plugin();   ///< destroy, shutdown, unload, remove the copy
+  ~Plugin();  ///< destroy, shutdown, unload, remove the copy
 
   const std::string& id() const;
   const std::string& name() const;
   const std::string& version() const;
   const std::string& doc() const;
-  const std::filesystem::path& path() const;   ///< the original, not the copy
+  const std::filesystem::path& path() const;  ///< the original, not the copy
   const std::vector<params::Parameter>& parameters() const;
   const std::vector<TechniqueInfo>& techniques() const;
-  std::uint32_t selector() const;              ///< index of the parameter that chooses the technique, or TY_NONE (0xffffffff)
-  bool fileChanged() const;                    ///< the original was rebuilt since it was loaded
+  std::uint32_t selector() const;  ///< index of the parameter that chooses the technique, or TY_NONE (0xffffffff)
+  bool fileChanged() const;        ///< the original was rebuilt since it was loaded
 
   struct State;
   State& state() { return *state_; }
+
  private:
   Plugin() = default;
   std::unique_ptr<State> state_;
@@ -50,8 +56,8 @@ struct PluginSet {
 };
 PluginSet loadPlugins(const std::filesystem::path& folder);
 
-/// Runs one plugin as an Effect of the renderer: keeps layout, pipelines and history images, remakes them when the structure
-/// changes, fills uniforms, adds the passes.
+/// Runs one plugin as an Effect of the renderer: keeps layout, pipelines and history images, remakes them when the
+/// structure changes, fills uniforms, adds the passes.
 class PluginEffect : public render::Effect {
  public:
   /// `table` holds the plugin's parameters (added by the caller); values are read from it each frame.
@@ -72,12 +78,13 @@ class PluginEffect : public render::Effect {
   /// Call once per finished frame with its pass times: feeds the tuner of speed-only variants.
   void frameFinished(const std::vector<render::PassTime>& passes);
   std::vector<std::string> reloadShaders();
-  std::uint64_t memoryBytes() const;   ///< images and buffers of the current layout and the output, each on its own
-  /// Why the plugin is off, if its layout was refused or could not be made (also logged, once). A changed setting or shader
-  /// starts anew.
+  std::uint64_t memoryBytes() const;  ///< images and buffers of the current layout and the output, each on its own
+  /// Why the plugin is off, if its layout was refused or could not be made (also logged, once). A changed setting or
+  /// shader starts anew.
   const std::optional<Error>& failure() const;
 
   struct State;
+
  private:
   PluginEffect() = default;
   std::unique_ptr<State> state_;

@@ -1,5 +1,5 @@
-// A plugin's layout as the host keeps it: copied, then checked before anything is made of it. Needs no GPU, so plugins test
-// their layouts with it.
+// A plugin's layout as the host keeps it: copied, then checked before anything is made of it. Needs no GPU, so plugins
+// test their layouts with it.
 #pragma once
 
 #include <array>
@@ -13,9 +13,18 @@
 namespace tyndall::host {
 
 // The copies keep the ABI's structs for their numbers; pointers in them are null, texts and arrays stand beside them.
-struct LayoutImage { std::string name; TyImage d; };
-struct LayoutBuffer { std::string name; TyBuffer d; };
-struct LayoutUniform { std::string name; TyUniformBlock d; };
+struct LayoutImage {
+  std::string name;
+  TyImage d;
+};
+struct LayoutBuffer {
+  std::string name;
+  TyBuffer d;
+};
+struct LayoutUniform {
+  std::string name;
+  TyUniformBlock d;
+};
 struct LayoutPass {
   std::string name, shader;
   TyPass d;
@@ -24,8 +33,14 @@ struct LayoutPass {
   std::vector<TyTarget> targets;
   std::optional<TyTarget> depthTarget;
 };
-struct LayoutDebugView { std::string name, doc; TyDebugView d; };
-struct LayoutCounters { std::uint32_t buffer = 0; std::vector<std::string> names; };
+struct LayoutDebugView {
+  std::string name, doc;
+  TyDebugView d;
+};
+struct LayoutCounters {
+  std::uint32_t buffer = 0;
+  std::vector<std::string> names;
+};
 struct LayoutTunable {
   std::uint32_t parameter = 0;
   double automatic = 0;
@@ -58,7 +73,7 @@ struct LayoutContext {
   std::uint32_t width = 1, height = 1;
   std::vector<std::uint32_t> lightKinds;
   std::uint32_t valueCount = 0;
-  std::vector<bool> structural;     ///< of each parameter
+  std::vector<bool> structural;  ///< of each parameter
 };
 
 /// Every rule of the ABI that can be checked without a GPU; the first broken one is the error ("pass 'march': ...").
@@ -66,8 +81,8 @@ Result<void> checkLayout(const Layout& layout, const LayoutLimits& limits, const
 
 /// One pass as it is run: per-light groups are expanded light by light.
 struct PassRun {
-  std::uint32_t pass = 0;           ///< index into Layout::passes
-  std::uint32_t light = TY_NONE;    ///< of a per-light pass
+  std::uint32_t pass = 0;         ///< index into Layout::passes
+  std::uint32_t light = TY_NONE;  ///< of a per-light pass
 };
 std::vector<PassRun> expandPasses(const Layout& layout, const std::vector<std::uint32_t>& lightKinds);
 
@@ -78,12 +93,25 @@ struct LayoutResource {
 };
 
 /// How one pass uses one resource, all its bindings and targets taken together.
-enum class PassAccess { kSampled, kStorageRead, kStorageWrite, kStorageReadWrite, kColorWrite, kColorReadWrite, kDepthWrite, kDepthReadWrite, kIndirect };
-struct PassUse { LayoutResource resource; PassAccess access; };
+enum class PassAccess {
+  kSampled,
+  kStorageRead,
+  kStorageWrite,
+  kStorageReadWrite,
+  kColorWrite,
+  kColorReadWrite,
+  kDepthWrite,
+  kDepthReadWrite,
+  kIndirect
+};
+struct PassUse {
+  LayoutResource resource;
+  PassAccess access;
+};
 /// An error if the pass uses a resource in two ways that exclude each other. Uniform blocks are left out.
 Result<std::vector<PassUse>> usesOf(const Layout& layout, const LayoutPass& pass);
 
-bool readsOld(PassAccess access);   ///< needs what earlier passes wrote
+bool readsOld(PassAccess access);  ///< needs what earlier passes wrote
 bool writesTo(PassAccess access);
 
 inline bool isHistory(const LayoutImage& image) { return (image.d.flags & TY_RESOURCE_HISTORY) != 0; }
