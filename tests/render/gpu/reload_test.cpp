@@ -12,11 +12,10 @@ namespace fs = std::filesystem;
 
 using ReloadTest = FrameTest;
 
-void write(const fs::path& path, const std::string& text) {
-  const auto before = fs::exists(path) ? fs::last_write_time(path) : fs::file_time_type{};
+// File systems tell times apart by a tick, so each text gets a time of its own: `hours` from now.
+void write(const fs::path& path, const std::string& text, int hours) {
   std::ofstream(path) << text;
-  // File systems tell times apart by a tick; an edit is later than that.
-  if (before != fs::file_time_type{}) fs::last_write_time(path, before + std::chrono::seconds(2));
+  fs::last_write_time(path, fs::file_time_type::clock::now() + std::chrono::hours(hours));
 }
 
 TEST_F(ReloadTest, AChangedShaderIsUsedAndABrokenOneIsNot) {
@@ -29,9 +28,9 @@ TEST_F(ReloadTest, AChangedShaderIsUsedAndABrokenOneIsNot) {
     return "#version 460\nlayout(binding = 0) uniform sampler2D colorTarget;\nlayout(location = 0) out vec4 outPicture;\n"
            "void main() { outPicture = " + color + "; }\n";
   };
-  write(source, shader("vec4(texelFetch(colorTarget, ivec2(0), 0).rgb, 1.0)"));
+  write(source, shader("vec4(texelFetch(colorTarget, ivec2(0), 0).rgb, 1.0)"), -1);
   write(folder / "composite.frag.spv.json",
-        "{ \"source\": \"" + source.string() + "\", \"stage\": \"frag\", \"includes\": [] }\n");
+        "{ \"source\": \"" + source.string() + "\", \"stage\": \"frag\", \"includes\": [] }\n", -1);
 
   Result<std::unique_ptr<Renderer>> renderer = Renderer::create(stage().device(), folder);
   ASSERT_TRUE(renderer.ok());
@@ -42,13 +41,13 @@ TEST_F(ReloadTest, AChangedShaderIsUsedAndABrokenOneIsNot) {
   const auto pixel = [&] { return stage().render(empty, lookAt({0, 0, 0}, {0, 0, -1}), {}, options).picture[0]; };
   pixel();
   EXPECT_TRUE((*renderer)->reloadShaders().empty()) << "nothing changed yet";
-  write(source, shader("vec4(1, 0, 0, 1)"));
+  write(source, shader("vec4(1, 0, 0, 1)"), 1);
   EXPECT_EQ((*renderer)->reloadShaders().size(), 1u);
   EXPECT_EQ(pixel(), glm::u8vec4(255, 0, 0, 255));
-  write(source, shader("vec4(nonsense"));
+  write(source, shader("vec4(nonsense"), 2);
   EXPECT_EQ((*renderer)->reloadShaders().size(), 1u);
   EXPECT_EQ(pixel(), glm::u8vec4(255, 0, 0, 255)) << "the last good one";
-  write(source, shader("vec4(0, 1, 0, 1)"));
+  write(source, shader("vec4(0, 1, 0, 1)"), 3);
   EXPECT_EQ((*renderer)->reloadShaders().size(), 1u);
   EXPECT_EQ(pixel(), glm::u8vec4(0, 255, 0, 255));
   fs::remove_all(folder);
