@@ -3,6 +3,7 @@
 
 #include "base/log.hpp"
 #include "pipeline_cache.hpp"
+#include "sanitizer.hpp"
 #include "state.hpp"
 #include "vk_text.hpp"
 
@@ -76,6 +77,7 @@ Result<void> createInstance(Device::State& state, const DeviceOptions& options) 
   }
   // Not volkLoadDevice: its pointers belong to one device, and tests open a second one with other layers.
   volkLoadInstance(state.instance);
+  keepDriversLoaded();
   if (options.validation) {
     messenger.pNext = nullptr;
     if (const VkResult result = vkCreateDebugUtilsMessengerEXT(state.instance, &messenger, nullptr, &state.messenger))
