@@ -15,7 +15,7 @@ std::int32_t foliage(LevelBuilder& level, const std::string& name, std::int32_t 
   m.name = name;
   m.baseColor = glm::vec4(tint, 1);
   m.metallic = 0;
-  m.roughness = 0.65f;
+  m.roughness = 0.9f;  // bent normals would make grazing light glitter on anything smoother
   m.alphaMode = scene::AlphaMode::kMask;
   m.alphaCutoff = 0.5f;
   m.doubleSided = true;
@@ -42,7 +42,7 @@ Materials addMaterials(LevelBuilder& level) {
 
 void addCameras(LevelBuilder& level) {
   const auto above = [](float x, float z, float height) { return glm::vec3(x, groundY(x, z) + height, z); };
-  level.camera("0 clearing, shafts across", above(-2.5f, 11.0f, 1.75f), {-0.8f, 3.0f, -8.0f}, 60, kFar);
+  level.camera("0 clearing, shafts across", above(-2.5f, 11.0f, 1.75f), {-9.0f, 3.0f, -6.9f}, 60, kFar);
   level.camera("1 towards the sun", above(-6.0f, 5.5f, 1.6f), {8.0f, 6.0f, -5.0f}, 65, kFar);
   level.camera("2 away from the sun", above(8.5f, -6.5f, 1.7f), {-8.0f, 1.0f, 5.6f}, 65, kFar);
   const std::int32_t tour = level.camera("3 tour", {0, 2, 8}, {0, 2, 0}, 60, kFar);

@@ -19,7 +19,7 @@ std::int32_t rockMesh(LevelBuilder& level, const Materials& m, std::uint64_t see
   for (int i = 0; i < 17; ++i) planes.emplace_back(random.direction(), random.range(0.66f, 1.0f));
   const glm::vec3 stretch{random.range(0.9f, 1.3f), random.range(0.55f, 0.8f), random.range(0.8f, 1.1f)};
   MeshBuilder stone;
-  surface(stone, 22, 14, {6, 3}, [&](float u, float v) {
+  surface(stone, 16, 10, {6, 3}, [&](float u, float v) {
     const float angle = 2.0f * glm::pi<float>() * u,
                 tilt = glm::mix(0.012f, glm::pi<float>() - 0.012f, v);  // no pole: it has no normal
     const glm::vec3 d{glm::cos(angle) * glm::sin(tilt), -glm::cos(tilt), -glm::sin(angle) * glm::sin(tilt)};
@@ -49,10 +49,10 @@ std::vector<Place> addTrees(LevelBuilder& level, const Materials& m) {
     return true;
   };
   // The trees that frame the views stand where they are wanted; chance fills the rest.
-  const std::pair<glm::vec2, int> chosen[] = {{{-7.0f, -5.5f}, 0}, {{9.5f, -3.0f}, 2},   {{11.0f, -8.5f}, 0},
-                                              {{6.5f, -13.0f}, 1}, {{-1.5f, -14.0f}, 4}, {{-9.5f, -11.5f}, 1},
-                                              {{14.5f, 0.5f}, 3},  {{-10.5f, 1.5f}, 2},  {{12.5f, -14.0f}, 4},
-                                              {{3.0f, -18.5f}, 3}, {{17.5f, -6.5f}, 1},  {{-4.8f, -10.0f}, 5}};
+  const std::pair<glm::vec2, int> chosen[] = {
+      {{-7.0f, -5.5f}, 0},  {{9.5f, -3.0f}, 2},   {{11.0f, -8.5f}, 0}, {{6.5f, -13.0f}, 1},  {{-1.5f, -14.0f}, 4},
+      {{-9.5f, -11.5f}, 1}, {{14.5f, 0.5f}, 3},   {{-10.5f, 1.5f}, 2}, {{12.5f, -14.0f}, 4}, {{3.0f, -18.5f}, 3},
+      {{17.5f, -6.5f}, 1},  {{-4.8f, -10.0f}, 5}, {{14.8f, -9.6f}, 3}, {{18.6f, -11.5f}, 4}};
   for (const auto& [at, kind] : chosen)
     put(at, meshes.full[static_cast<std::size_t>(kind)], random.range(0.92f, 1.1f), 0.5f);
   for (int i = 0, count = 0; i < 4000 && count < 20; ++i) {
@@ -104,7 +104,7 @@ void addFallenTrunk(LevelBuilder& level, const Materials& m) {
   }
   scene::Primitive primitive = wood.finish(m.bark, kBarkTile);
   for (scene::Vertex& v : primitive.vertices)
-    v.color = glm::vec4(glm::mix(glm::vec3(1), glm::vec3(0.75f, 1.15f, 0.5f), glm::clamp(v.normal.y, 0.0f, 1.0f)),
+    v.color = glm::vec4(glm::mix(glm::vec3(1), glm::vec3(0.65f, 1.0f, 0.43f), glm::clamp(v.normal.y, 0.0f, 1.0f)),
                         1);  // moss above
   level.node("fallen trunk", level.mesh("fallen trunk", {primitive}), onGround({-2.6f, -4.2f}) + glm::vec3(0, 0.26f, 0),
              0.42f);

@@ -17,6 +17,7 @@ struct Kind {
   int branches, twigs, cards;  // branches; twigs a branch; cards a twig
   float cardSize, droop;       // metres; how much leaves hang
   int trunkSides;
+  bool twigWood = true;  // twigs have wood of their own; from afar only their leaves are seen
 };
 
 struct Parts {
@@ -98,8 +99,8 @@ Parts broadTree(const Kind& kind, std::uint64_t seed) {
       const glm::vec3 way =
           glm::normalize(out * 0.55f + random.direction() * glm::vec3(1, 0.6f, 1) + glm::vec3(0, 0.1f, 0));
       const float reach = (0.30f + 0.12f * random.unit()) * length * (1.15f - 0.5f * s);
-      const std::vector<glm::vec3> twig = wander(random, root, way * reach, 0.08f * reach, -0.05f * reach, 3);
-      tube(parts.wood, twig, taper(0.28f * thick, 0.006f, twig.size()), 3);
+      const std::vector<glm::vec3> twig = {root, root + way * reach};
+      if (kind.twigWood) tube(parts.wood, twig, taper(0.28f * thick, 0.006f, twig.size()), 3);
       for (int c = 0; c < kind.cards; ++c)
         leafCard(parts, random, along(twig, random.range(0.25f, 1.0f)), way, crownMiddle, kind);
     }
@@ -196,7 +197,7 @@ Trees makeTrees(LevelBuilder& level, const Materials& m) {
   add(trees.full, "beech 2", broadTree(beech, 5), m.bark, m.leaves);
   add(trees.full, "birch 2", broadTree(birch, 6), m.birch, m.paleLeaves);
   Kind far = beech;
-  far.branches = 14, far.twigs = 3, far.cards = 3, far.cardSize = 1.6f, far.trunkSides = 7;
+  far.branches = 14, far.twigs = 3, far.cards = 3, far.cardSize = 1.6f, far.trunkSides = 7, far.twigWood = false;
   add(trees.spare, "distant beech", broadTree(far, 7), m.bark, m.leaves);
   far = spruce;
   far.branches = 18, far.twigs = 5, far.crownRadius = 3.4f, far.trunkSides = 6;

@@ -11,7 +11,7 @@ std::uint32_t MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& no
   v.position = glm::vec3(frame * glm::vec4(position, 1.0f));
   v.normal = glm::normalize(glm::mat3(frame) * normal);
   v.uv = uv + uvOffset;
-  v.color = color;
+  v.color = glm::min(color, glm::vec4(1));  // glTF colours are factors in [0, 1]
   primitive_.vertices.push_back(v);
   return static_cast<std::uint32_t>(primitive_.vertices.size() - 1);
 }
