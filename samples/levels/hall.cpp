@@ -58,7 +58,7 @@ Materials addMaterials(LevelBuilder& level) {
 }
 
 void addCameras(LevelBuilder& level) {
-  level.camera("0 nave, shafts across", {-3.3f, 1.7f, 7.1f}, {4.7f, 3.1f, -6.4f}, 58, kFar);
+  level.camera("0 nave, shafts across", {-3.2f, 1.65f, 7.3f}, {4.8f, 3.05f, -6.2f}, 58, kFar);
   level.camera("1 towards the windows", {-3.2f, 1.5f, 2.4f}, {7.0f, 5.9f, -3.6f}, 68, kFar);
   level.camera("2 from the gallery", {-2.6f, 5.9f, 17.2f}, {1.4f, 2.9f, 2.0f}, 60, kFar);
   const std::int32_t tour = level.camera("3 tour", {0, 2, 10}, {0, 3, 0}, 60, kFar);
