@@ -22,7 +22,8 @@ Polygon convexHull(std::vector<glm::dvec2> points) {
   Polygon hull;
   const auto chain = [&](auto first, auto last, std::size_t floor) {
     for (auto p = first; p != last; ++p) {
-      while (hull.size() >= floor + 2 && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0) hull.pop_back();
+      while (hull.size() >= floor + 2 && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0)
+        hull.pop_back();
       hull.push_back(*p);
     }
     hull.pop_back();  // the other chain starts with it
@@ -55,8 +56,8 @@ double area(const Polygon& polygon) {
   return 0.5 * twice;
 }
 
-// Freeman and Shapira 1975, Determining the Minimum-Area Encasing Rectangle for an Arbitrary Closed Curve: a side of the
-// best rectangle lies on an edge. Polygons here have a dozen edges, so each edge simply looks at all points.
+// Freeman and Shapira 1975, Determining the Minimum-Area Encasing Rectangle for an Arbitrary Closed Curve: a side of
+// the best rectangle lies on an edge. Polygons here have a dozen edges, so each edge simply looks at all points.
 Rectangle smallestRectangle(const Polygon& polygon) {
   TY_ASSERT(!polygon.empty(), "a polygon without points");
   Rectangle best;

@@ -20,8 +20,8 @@ bool mayBeSeen(const scene::Bounds& box, const glm::mat4& clipFromWorld, DepthPl
   if (box.empty()) return false;
   // Planes as combinations of the matrix's rows (Gribb and Hartmann 2001, Fast Extraction of Viewing Frustum Planes).
   const glm::mat4 rows = glm::transpose(clipFromWorld);
-  const glm::vec4 planes[7] = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[3],
-                               rows[2], rows[3] - rows[2]};
+  const glm::vec4 planes[7] = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1],
+                               rows[3],           rows[2],           rows[3] - rows[2]};
   const int count = depth == DepthPlanes::kBoth ? 7 : 5;
   for (int i = 0; i < count; ++i) {
     const glm::vec3 normal(planes[i]);

@@ -29,7 +29,8 @@ DrawList buildDrawList(const scene::Scene& scene, const SceneResources& resource
                        const std::vector<glm::mat4>& worldFromNode, const glm::vec3& eye) {
   TY_ASSERT(worldFromNode.size() == scene.nodes.size() && resources.meshes.size() == scene.meshes.size(),
             "the scene is not the one given to setScene: " + std::to_string(scene.nodes.size()) + " nodes, " +
-                std::to_string(worldFromNode.size()) + " matrices, " + std::to_string(resources.meshes.size()) + " meshes uploaded");
+                std::to_string(worldFromNode.size()) + " matrices, " + std::to_string(resources.meshes.size()) +
+                " meshes uploaded");
   DrawList list;
   for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
     if (scene.nodes[n].mesh == scene::kNone) continue;
@@ -56,9 +57,12 @@ DrawList buildDrawList(const scene::Scene& scene, const SceneResources& resource
       }
     }
   }
-  const auto key = [](const Draw& d) { return std::tuple(d.mask, d.facing, d.textures, d.distance, d.range.material, d.instance); };
+  const auto key = [](const Draw& d) {
+    return std::tuple(d.mask, d.facing, d.textures, d.distance, d.range.material, d.instance);
+  };
   std::sort(list.solid.begin(), list.solid.end(), [&](const Draw& a, const Draw& b) { return key(a) < key(b); });
-  std::stable_sort(list.blended.begin(), list.blended.end(), [](const Draw& a, const Draw& b) { return a.distance > b.distance; });
+  std::stable_sort(list.blended.begin(), list.blended.end(),
+                   [](const Draw& a, const Draw& b) { return a.distance > b.distance; });
   return list;
 }
 

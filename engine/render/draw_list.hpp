@@ -21,15 +21,15 @@ struct Draw {
   Facing facing = Facing::kFront;
   bool mask = false;
   std::uint32_t textures = 0;  ///< shared::k...Map bits
-  scene::Bounds bounds;    ///< world
-  float distance = 0;      ///< opaque: to the nearest point of the bounds; blended: to their centre; metres from the eye
+  scene::Bounds bounds;        ///< world
+  float distance = 0;  ///< opaque: to the nearest point of the bounds; blended: to their centre; metres from the eye
 };
 
 struct DrawList {
   std::vector<shared::InstanceBlock> instances;
-  std::vector<Draw> solid;     ///< opaque and alpha-tested, by pipeline, then front to back; these cast shadows
-  std::vector<Draw> blended;   ///< back to front
-  scene::Bounds casters;       ///< of `solid`, world
+  std::vector<Draw> solid;    ///< opaque and alpha-tested, by pipeline, then front to back; these cast shadows
+  std::vector<Draw> blended;  ///< back to front
+  scene::Bounds casters;      ///< of `solid`, world
 };
 
 DrawList buildDrawList(const scene::Scene& scene, const SceneResources& resources,

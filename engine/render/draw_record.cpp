@@ -27,8 +27,10 @@ void bindFrame(gpu::Descriptors& d, const FrameData& frame) {
       .storageBuffer(1, frame.instanceBlocks.buffer, frame.instanceBlocks.offset, frame.instanceBlocks.size);
 }
 
-void bindMaterialBlock(gpu::Descriptors& d, std::uint32_t binding, const SceneResources& resources, std::uint32_t material) {
-  d.uniformBuffer(binding, resources.materialBlocks.handle(), material * kMaterialStride, sizeof(shared::MaterialBlock));
+void bindMaterialBlock(gpu::Descriptors& d, std::uint32_t binding, const SceneResources& resources,
+                       std::uint32_t material) {
+  d.uniformBuffer(binding, resources.materialBlocks.handle(), material * kMaterialStride,
+                  sizeof(shared::MaterialBlock));
 }
 
 void bindMaps(gpu::Descriptors& d, const MaterialBindings& m) {
@@ -58,8 +60,8 @@ Result<DrawPipelines> pipelinesOf(PipelineLibrary& library, const std::vector<Dr
   return pipelines;
 }
 
-void recordShaded(PassContext& context, const FrameData& frame, const std::vector<Draw>& draws, const DrawPipelines& pipelines,
-                  const std::function<void(const gpu::Pipeline&)>& bindMore) {
+void recordShaded(PassContext& context, const FrameData& frame, const std::vector<Draw>& draws,
+                  const DrawPipelines& pipelines, const std::function<void(const gpu::Pipeline&)>& bindMore) {
   const VkCommandBuffer commands = context.commands();
   bindBuffers(commands, *frame.resources);
   const gpu::Pipeline* bound = nullptr;
@@ -92,7 +94,8 @@ Result<CasterPipelines> casterPipelines(PipelineLibrary& library) {
   return CasterPipelines{*opaque, *mask};
 }
 
-void recordCasters(PassContext& context, const FrameData& frame, const CasterPipelines& pipelines, const glm::mat4& clipFromWorld) {
+void recordCasters(PassContext& context, const FrameData& frame, const CasterPipelines& pipelines,
+                   const glm::mat4& clipFromWorld) {
   const VkCommandBuffer commands = context.commands();
   bindBuffers(commands, *frame.resources);
   const gpu::Pipeline* bound = nullptr;

@@ -15,12 +15,16 @@ Result<DrawPipelines> pipelinesOf(PipelineLibrary& library, const std::vector<Dr
                                   const std::function<Recipe(const Draw&)>& recipeOf);
 
 /// Those of `draws` that the camera may see, in their order. `bindMore` is called after each change of pipeline.
-void recordShaded(PassContext& context, const FrameData& frame, const std::vector<Draw>& draws, const DrawPipelines& pipelines,
-                  const std::function<void(const gpu::Pipeline&)>& bindMore);
+void recordShaded(PassContext& context, const FrameData& frame, const std::vector<Draw>& draws,
+                  const DrawPipelines& pipelines, const std::function<void(const gpu::Pipeline&)>& bindMore);
 
-struct CasterPipelines { const gpu::Pipeline* opaque = nullptr; const gpu::Pipeline* mask = nullptr; };
+struct CasterPipelines {
+  const gpu::Pipeline* opaque = nullptr;
+  const gpu::Pipeline* mask = nullptr;
+};
 Result<CasterPipelines> casterPipelines(PipelineLibrary& library);
 /// The solid draws that may fall into the map of `clipFromWorld` (depth clamped).
-void recordCasters(PassContext& context, const FrameData& frame, const CasterPipelines& pipelines, const glm::mat4& clipFromWorld);
+void recordCasters(PassContext& context, const FrameData& frame, const CasterPipelines& pipelines,
+                   const glm::mat4& clipFromWorld);
 
 }  // namespace tyndall::render

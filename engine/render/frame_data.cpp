@@ -21,8 +21,9 @@ Result<std::vector<BlockRange>> BlockRing::write(const std::vector<std::pair<con
   next_ = (next_ + 1) % kSlots;
   if (!slot || slot.size() < total) {
     // Half as much again, so that a growing level does not make a new buffer each frame.
-    Result<gpu::Buffer> made = device_.createBuffer(
-        {"frame blocks", total + total / 2, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, true});
+    Result<gpu::Buffer> made =
+        device_.createBuffer({"frame blocks", total + total / 2,
+                              VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, true});
     if (!made) return made.error();
     slot = made.take();
   }

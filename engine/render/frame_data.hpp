@@ -1,5 +1,5 @@
-// What one frame's passes share while they record: camera, draws, lights, uploaded blocks. Passes hold it by shared_ptr,
-// because they record after addFrame has returned.
+// What one frame's passes share while they record: camera, draws, lights, uploaded blocks. Passes hold it by
+// shared_ptr, because they record after addFrame has returned.
 #pragma once
 
 #include <array>
@@ -18,7 +18,10 @@
 namespace tyndall::render {
 
 /// A part of the frame's block buffer.
-struct BlockRange { VkBuffer buffer = VK_NULL_HANDLE; VkDeviceSize offset = 0, size = 0; };
+struct BlockRange {
+  VkBuffer buffer = VK_NULL_HANDLE;
+  VkDeviceSize offset = 0, size = 0;
+};
 
 /// Host-written buffers in turn. At most two frames are in flight and a third may be declared meanwhile.
 class BlockRing {
@@ -26,6 +29,7 @@ class BlockRing {
   explicit BlockRing(gpu::Device& device) : device_(device) {}
   /// Copies the parts, each at an offset that any binding takes, into the next buffer.
   Result<std::vector<BlockRange>> write(const std::vector<std::pair<const void*, std::size_t>>& parts);
+
  private:
   static constexpr std::size_t kSlots = 4;
   gpu::Device& device_;
@@ -38,8 +42,8 @@ struct FrameData {
   glm::mat4 clipFromWorld{1};
   DrawList draws;
   LightPlan plan;
-  std::vector<ImageRef> shadowMaps;              ///< by plan.shadowed
-  std::vector<ShadowedLight> shadowedLights;     ///< in file order, for effects
+  std::vector<ImageRef> shadowMaps;           ///< by plan.shadowed
+  std::vector<ShadowedLight> shadowedLights;  ///< in file order, for effects
   std::shared_ptr<const SceneResources> resources;
   BlockRange viewBlock, lightBlocks, instanceBlocks;
 
@@ -49,8 +53,8 @@ using FramePointer = std::shared_ptr<const FrameData>;
 
 /// The samplers of the frame's own images.
 struct FrameSamplers {
-  VkSampler texel = VK_NULL_HANDLE;         ///< nearest, clamped: targets read by texelFetch, cube faces
-  VkSampler borderLit = VK_NULL_HANDLE;     ///< nearest, 1 outside: maps outside of which everything is lit
+  VkSampler texel = VK_NULL_HANDLE;      ///< nearest, clamped: targets read by texelFetch, cube faces
+  VkSampler borderLit = VK_NULL_HANDLE;  ///< nearest, 1 outside: maps outside of which everything is lit
 };
 FrameSamplers makeSamplers(gpu::Device& device);
 

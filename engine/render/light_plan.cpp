@@ -19,7 +19,8 @@ std::string label(const std::vector<scene::LightView>& lights, std::uint32_t ind
 
 // Irradiance at the eye without shadow and cone: a spot light that points elsewhere may still light what is seen.
 double importance(const View& view, const scene::LightView& light) {
-  const double strength = std::max({light.light.color.r, light.light.color.g, light.light.color.b}) * light.light.intensity;
+  const double strength =
+      std::max({light.light.color.r, light.light.color.g, light.light.color.b}) * light.light.intensity;
   if (light.light.kind == scene::LightKind::kDirectional) return strength;
   const glm::dvec3 to = glm::dvec3(light.position) - glm::dvec3(view.eye);
   return strength / std::max(glm::dot(to, to), 0.01);
@@ -30,8 +31,8 @@ shared::LightBlock makeBlock(const scene::LightView& view, const ShadowFit& fit,
   shared::LightBlock block{};
   block.core.position = view.position;
   block.core.kind = light.kind == scene::LightKind::kDirectional ? shared::kLightDirectional
-               : light.kind == scene::LightKind::kSpot      ? shared::kLightSpot
-                                                            : shared::kLightPoint;
+                    : light.kind == scene::LightKind::kSpot      ? shared::kLightSpot
+                                                                 : shared::kLightPoint;
   block.core.direction = glm::normalize(view.direction);
   block.core.range = light.range.value_or(0.0f);
   block.core.intensity = light.color * light.intensity;
@@ -65,8 +66,9 @@ LightPlan planLights(const View& view, const std::vector<scene::LightView>& ligh
   for (const std::uint32_t index : order) {
     const double bytes = face * (lights[index].light.kind == scene::LightKind::kPoint ? 6 : 1);
     if (used + bytes > static_cast<double>(budgetBytes)) {
-      plan.notes.push_back(label(lights, index) + ": no shadow map; " + std::to_string(budgetBytes >> 20) +
-                           " MiB of shadow maps are used up by more important lights, a lower shadows.resolution makes room");
+      plan.notes.push_back(
+          label(lights, index) + ": no shadow map; " + std::to_string(budgetBytes >> 20) +
+          " MiB of shadow maps are used up by more important lights, a lower shadows.resolution makes room");
       plan.unshadowed.push_back(index);
       continue;
     }
@@ -75,7 +77,8 @@ LightPlan planLights(const View& view, const std::vector<scene::LightView>& ligh
     const std::string& note = plan.shadowed.back().fit.note;
     if (!note.empty()) plan.notes.push_back(label(lights, index) + ": " + note);
   }
-  for (const PlannedLight& light : plan.shadowed) plan.blocks.push_back(makeBlock(lights[light.source], light.fit, shadowSize));
+  for (const PlannedLight& light : plan.shadowed)
+    plan.blocks.push_back(makeBlock(lights[light.source], light.fit, shadowSize));
   for (const std::uint32_t index : plan.unshadowed) plan.blocks.push_back(makeBlock(lights[index], {}, shadowSize));
   return plan;
 }

@@ -17,8 +17,8 @@ inline constexpr std::uint64_t kShadowBudgetBytes = 1ull << 30;
 using shared::kShadowSlots;
 
 struct PlannedLight {
-  std::uint32_t source = 0;   ///< index into the frame's lights
-  ShadowFit fit;              ///< meaningless for lights without a map
+  std::uint32_t source = 0;  ///< index into the frame's lights
+  ShadowFit fit;             ///< meaningless for lights without a map
 };
 
 struct LightPlan {

@@ -14,9 +14,12 @@ struct Batch {
   bool base() const { return firstShadowed == 0; }
 };
 
-void declare(Graph& graph, const PassTools& tools, FramePointer frame, const gpu::Pipeline& pipeline, const Batch& batch) {
-  Graph::Pass pass = graph.pass(batch.base() ? "lighting" : "lighting " + std::to_string(batch.firstShadowed / kShadowSlots));
-  for (const ImageRef image : {frame->base, frame->normal, frame->emissive, frame->depth}) pass.use(image, Use::kSampledGraphics);
+void declare(Graph& graph, const PassTools& tools, FramePointer frame, const gpu::Pipeline& pipeline,
+             const Batch& batch) {
+  Graph::Pass pass =
+      graph.pass(batch.base() ? "lighting" : "lighting " + std::to_string(batch.firstShadowed / kShadowSlots));
+  for (const ImageRef image : {frame->base, frame->normal, frame->emissive, frame->depth})
+    pass.use(image, Use::kSampledGraphics);
   for (std::uint32_t i = 0; i < batch.shadowedCount; ++i) {
     pass.use(frame->shadowMaps[batch.firstShadowed + i], Use::kSampledGraphics);
   }
@@ -25,7 +28,8 @@ void declare(Graph& graph, const PassTools& tools, FramePointer frame, const gpu
     const VkCommandBuffer commands = context.commands();
     context.beginRendering({{frame->color}});
     const PixelRect& r = batch.rect;
-    const VkRect2D scissor{{r.x0, r.y0}, {static_cast<std::uint32_t>(r.x1 - r.x0), static_cast<std::uint32_t>(r.y1 - r.y0)}};
+    const VkRect2D scissor{{r.x0, r.y0},
+                           {static_cast<std::uint32_t>(r.x1 - r.x0), static_cast<std::uint32_t>(r.y1 - r.y0)}};
     vkCmdSetScissor(commands, 0, 1, &scissor);
     gpu::Descriptors descriptors(commands, pipeline);
     const VkSampler texel = tools.samplers.texel;

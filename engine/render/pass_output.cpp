@@ -3,7 +3,8 @@
 
 namespace tyndall::render {
 
-Result<ImageRef> addCompositePass(Graph& graph, const PassTools& tools, ImageRef color, ImageRef scatter, float exposure) {
+Result<ImageRef> addCompositePass(Graph& graph, const PassTools& tools, ImageRef color, ImageRef scatter,
+                                  float exposure) {
   Result<const gpu::Pipeline*> pipeline = tools.pipelines.get(compositeRecipe(static_cast<bool>(scatter)));
   if (!pipeline) return pipeline.error();
   const gpu::ImageDesc& size = graph.desc(color);
@@ -28,10 +29,16 @@ Result<ImageRef> addDistancePass(Graph& graph, const PassTools& tools, const Vie
   Result<const gpu::Pipeline*> pipeline = tools.pipelines.get(distanceRecipe());
   if (!pipeline) return pipeline.error();
   const ImageRef distance = viewImage(graph, "distance", kDistanceFormat, view.width, view.height);
-  const DistancePush push{view.viewFromClip[0][0], -view.viewFromClip[1][1], static_cast<float>(view.width),
-                          static_cast<float>(view.height), view.znear, view.zfar};
-  graph.pass("distance").use(depth, Use::kSampledGraphics).use(distance, Use::kColorWrite).run(
-      [=, &use = **pipeline, texel = tools.samplers.texel](PassContext& context) {
+  const DistancePush push{view.viewFromClip[0][0],
+                          -view.viewFromClip[1][1],
+                          static_cast<float>(view.width),
+                          static_cast<float>(view.height),
+                          view.znear,
+                          view.zfar};
+  graph.pass("distance")
+      .use(depth, Use::kSampledGraphics)
+      .use(distance, Use::kColorWrite)
+      .run([=, &use = **pipeline, texel = tools.samplers.texel](PassContext& context) {
         context.beginRendering({{distance}});
         gpu::Descriptors descriptors(context.commands(), use);
         descriptors.sampled(0, context.view(depth), texel);
@@ -57,9 +64,12 @@ Result<ImageRef> addDebugPass(Graph& graph, const PassTools& tools, const View& 
   gpu::ViewDesc part = shown.view;  // one mip of one layer
   part.mipCount = part.layerCount = 1;
   part.array = false;
-  const DebugPush push{static_cast<float>(view.width), static_cast<float>(view.height), shown.channel, shown.low, shown.high};
-  graph.pass("debug view").use(shown.image, Use::kSampledGraphics).use(picture, Use::kColorWrite).run(
-      [=, &use = **pipeline, source = shown.image, texel = tools.samplers.texel](PassContext& context) {
+  const DebugPush push{static_cast<float>(view.width), static_cast<float>(view.height), shown.channel, shown.low,
+                       shown.high};
+  graph.pass("debug view")
+      .use(shown.image, Use::kSampledGraphics)
+      .use(picture, Use::kColorWrite)
+      .run([=, &use = **pipeline, source = shown.image, texel = tools.samplers.texel](PassContext& context) {
         context.beginRendering({{picture}});
         gpu::Descriptors descriptors(context.commands(), use);
         descriptors.sampled(0, context.view(source, part), texel);

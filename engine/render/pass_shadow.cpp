@@ -7,7 +7,8 @@ namespace tyndall::render {
 
 namespace {
 
-ShadowedLight describe(const FrameData& frame, const scene::LightView& light, const ShadowFit& fit, ImageRef map, std::uint32_t size) {
+ShadowedLight describe(const FrameData& frame, const scene::LightView& light, const ShadowFit& fit, ImageRef map,
+                       std::uint32_t size) {
   ShadowedLight out;
   out.light = light;
   out.shadowMap = map;

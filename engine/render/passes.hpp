@@ -15,7 +15,7 @@ namespace tyndall::render {
 struct PassTools {
   PipelineLibrary& pipelines;
   FrameSamplers samplers;
-  VkImageView unusedMap = VK_NULL_HANDLE;   ///< a 1x1 array view for shadow slots without a light
+  VkImageView unusedMap = VK_NULL_HANDLE;  ///< a 1x1 array view for shadow slots without a light
 };
 
 /// One pass per light with a map (all faces), clearing it and drawing the casters. Fills frame.shadowMaps.
@@ -30,12 +30,13 @@ Result<void> addGBufferPass(Graph& graph, const PassTools& tools, const std::sha
 Result<void> addLightingPasses(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame,
                                const std::vector<scene::LightView>& lights);
 
-/// Alpha-blended surfaces over frame.color, back to front per primitive, before the effect's composition: they get the fog
-/// of the opaque surface behind them. The four most important lights shadow them.
+/// Alpha-blended surfaces over frame.color, back to front per primitive, before the effect's composition: they get the
+/// fog of the opaque surface behind them. The four most important lights shadow them.
 Result<void> addTransparentPass(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame);
 
 /// picture = toneMap(exposure * (color * T + scatter)); an empty `scatter` stands for scatter 0 and T 1.
-Result<ImageRef> addCompositePass(Graph& graph, const PassTools& tools, ImageRef color, ImageRef scatter, float exposure);
+Result<ImageRef> addCompositePass(Graph& graph, const PassTools& tools, ImageRef color, ImageRef scatter,
+                                  float exposure);
 
 Result<ImageRef> addDistancePass(Graph& graph, const PassTools& tools, const View& view, ImageRef depth);
 
@@ -44,7 +45,8 @@ Result<ImageRef> addDebugPass(Graph& graph, const PassTools& tools, const View& 
 
 /// The one triangle of fullscreen.vert, inside a rendering, with `push` as push constants.
 template <class Push>
-void drawFullScreen(VkCommandBuffer commands, const gpu::Pipeline& pipeline, gpu::Descriptors& descriptors, const Push& push) {
+void drawFullScreen(VkCommandBuffer commands, const gpu::Pipeline& pipeline, gpu::Descriptors& descriptors,
+                    const Push& push) {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.handle());
   descriptors.push();
   vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_ALL, 0, sizeof(Push), &push);
@@ -54,10 +56,13 @@ void drawFullScreen(VkCommandBuffer commands, const gpu::Pipeline& pipeline, gpu
 /// A transient image of the view's size.
 ImageRef viewImage(Graph& graph, const std::string& name, VkFormat format, std::uint32_t width, std::uint32_t height);
 
-/// Binding numbers of what lights.glsl reads: the block of shadowed lights, the first shadow map, the array of all lights.
-struct LightBindings { std::uint32_t shadowed, firstMap, all; };
-/// Binds lights [first, first + count) of plan.shadowed with their maps (`first` a multiple of kShadowSlots; slots without a
-/// light get a stand-in) and the array of all lights.
+/// Binding numbers of what lights.glsl reads: the block of shadowed lights, the first shadow map, the array of all
+/// lights.
+struct LightBindings {
+  std::uint32_t shadowed, firstMap, all;
+};
+/// Binds lights [first, first + count) of plan.shadowed with their maps (`first` a multiple of kShadowSlots; slots
+/// without a light get a stand-in) and the array of all lights.
 void bindLights(PassContext& context, const PassTools& tools, const FrameData& frame, gpu::Descriptors& descriptors,
                 const LightBindings& bindings, std::uint32_t first, std::uint32_t count);
 

@@ -30,7 +30,8 @@ const char* text(Facing facing) {
 template <class T>
 VkVertexInputAttributeDescription attribute(std::uint32_t location, VkFormat format, T scene::Vertex::*member) {
   static const scene::Vertex vertex;
-  const auto offset = reinterpret_cast<const std::byte*>(&(vertex.*member)) - reinterpret_cast<const std::byte*>(&vertex);
+  const auto offset =
+      reinterpret_cast<const std::byte*>(&(vertex.*member)) - reinterpret_cast<const std::byte*>(&vertex);
   return {location, 0, format, static_cast<std::uint32_t>(offset)};
 }
 
@@ -96,7 +97,8 @@ Recipe casterRecipe(bool mask) {
 }
 
 Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots) {
-  Recipe recipe = geometry("transparent, " + std::to_string(slots) + " shadow maps", "transparent.frag", facing, textures);
+  Recipe recipe =
+      geometry("transparent, " + std::to_string(slots) + " shadow maps", "transparent.frag", facing, textures);
   recipe.desc.bindings.push_back({9, kUniform});
   addSampled(recipe.desc.bindings, 10, shared::kShadowSlots);
   recipe.desc.bindings.push_back({14, kStorage});
@@ -112,7 +114,8 @@ Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t sl
 }
 
 Recipe lightingRecipe(bool base, std::uint32_t slots) {
-  Recipe recipe = fullScreen((base ? "lighting, " : "more lighting, ") + std::to_string(slots) + " shadow maps", "lighting.frag", kColorFormat);
+  Recipe recipe = fullScreen((base ? "lighting, " : "more lighting, ") + std::to_string(slots) + " shadow maps",
+                             "lighting.frag", kColorFormat);
   recipe.desc.bindings = {{0, kUniform}, {1, kUniform}};
   addSampled(recipe.desc.bindings, 2, 4 + shared::kShadowSlots);
   recipe.desc.bindings.push_back({10, kStorage});

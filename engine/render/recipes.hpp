@@ -9,8 +9,8 @@
 namespace tyndall::render {
 
 inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
-inline constexpr VkFormat kBaseFormat = VK_FORMAT_R8G8B8A8_SRGB;          ///< base colour, A occlusion
-inline constexpr VkFormat kNormalFormat = VK_FORMAT_R16G16B16A16_UNORM;   ///< normal, metallic / 2 or unlit, roughness
+inline constexpr VkFormat kBaseFormat = VK_FORMAT_R8G8B8A8_SRGB;         ///< base colour, A occlusion
+inline constexpr VkFormat kNormalFormat = VK_FORMAT_R16G16B16A16_UNORM;  ///< normal, metallic / 2 or unlit, roughness
 inline constexpr VkFormat kEmissiveFormat = VK_FORMAT_B10G11R11_UFLOAT_PACK32;
 /// Full floats: a highlight of a real sun (1e5 lux) is beyond half floats, and infinity would survive the composition.
 inline constexpr VkFormat kColorFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
@@ -18,10 +18,18 @@ inline constexpr VkFormat kPictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 inline constexpr VkFormat kDistanceFormat = VK_FORMAT_R32_SFLOAT;
 
 /// Push constants of lighting.frag and transparent.frag: a part of the light array.
-struct UnshadowedLights { std::uint32_t first = 0, count = 0; };
+struct UnshadowedLights {
+  std::uint32_t first = 0, count = 0;
+};
 /// Push constants of distance.frag and debug_view.frag.
-struct DistancePush { float tangentX, tangentY, width, height, znear, zfar; };
-struct DebugPush { float width, height; std::uint32_t channel; float low, high; };
+struct DistancePush {
+  float tangentX, tangentY, width, height, znear, zfar;
+};
+struct DebugPush {
+  float width, height;
+  std::uint32_t channel;
+  float low, high;
+};
 
 /// `textures`: shared::k...Map bits, of the maps that the shader looks up.
 Recipe gbufferRecipe(Facing facing, bool mask, std::uint32_t textures);

@@ -10,7 +10,8 @@
 namespace tyndall::render {
 
 struct Renderer::State {
-  State(gpu::Device& d, const std::filesystem::path& shaders) : device(d), pipelines(d, shaders), blocks(d), samplers(makeSamplers(d)) {}
+  State(gpu::Device& d, const std::filesystem::path& shaders)
+      : device(d), pipelines(d, shaders), blocks(d), samplers(makeSamplers(d)) {}
 
   PassTools tools() {
     gpu::ViewDesc array;
@@ -51,7 +52,8 @@ Result<void> Renderer::setScene(const scene::Scene& scene) {
 
 namespace {
 
-shared::ViewBlock makeViewBlock(const View& view, const glm::mat4& clipFromWorld, const std::vector<scene::LightView>& lights) {
+shared::ViewBlock makeViewBlock(const View& view, const glm::mat4& clipFromWorld,
+                                const std::vector<scene::LightView>& lights) {
   shared::ViewBlock block{};
   block.viewFromWorld = view.viewFromWorld;
   block.worldFromView = view.worldFromView;
@@ -84,9 +86,10 @@ Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) 
   std::vector<shared::LightBlock> lightBlocks = frame->plan.blocks;
   lightBlocks.resize((lightBlocks.size() / kShadowSlots + 1) * kShadowSlots);
   const auto& instances = frame->draws.instances;
-  Result<std::vector<BlockRange>> ranges = blocks.write({{&view, sizeof(view)},
-                                                         {lightBlocks.data(), lightBlocks.size() * sizeof(lightBlocks[0])},
-                                                         {instances.data(), instances.size() * sizeof(instances[0])}});
+  Result<std::vector<BlockRange>> ranges =
+      blocks.write({{&view, sizeof(view)},
+                    {lightBlocks.data(), lightBlocks.size() * sizeof(lightBlocks[0])},
+                    {instances.data(), instances.size() * sizeof(instances[0])}});
   if (!ranges) return ranges.error();
   frame->viewBlock = (*ranges)[0];
   frame->lightBlocks = (*ranges)[1];
@@ -99,12 +102,13 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
   const VkPhysicalDeviceLimits& limits = state_->device.info().limits;
   const std::uint32_t largest = limits.maxImageDimension2D;
   if (input.width == 0 || input.height == 0 || input.width > largest || input.height > largest) {
-    return badCall("picture: size " + std::to_string(input.width) + "x" + std::to_string(input.height) + "; each side must be 1 to " +
-                   std::to_string(largest) + " on this device");
+    return badCall("picture: size " + std::to_string(input.width) + "x" + std::to_string(input.height) +
+                   "; each side must be 1 to " + std::to_string(largest) + " on this device");
   }
   const std::uint32_t shadowSize = input.settings.shadowResolution;
   if (shadowSize == 0 || shadowSize > largest) {
-    return badCall("shadows.resolution: " + std::to_string(shadowSize) + "; must be 1 to " + std::to_string(largest) + " on this device");
+    return badCall("shadows.resolution: " + std::to_string(shadowSize) + "; must be 1 to " + std::to_string(largest) +
+                   " on this device");
   }
 
   Result<std::shared_ptr<FrameData>> prepared = state_->prepare(input);
@@ -123,10 +127,12 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
   if (input.effect) {
     const Result<CasterPipelines> casters = casterPipelines(state_->pipelines);
     if (!casters) return casters.error();
-    const auto draw = [frame = FramePointer(frame), casters = *casters](PassContext& context, const glm::mat4& clipFromWorld) {
+    const auto draw = [frame = FramePointer(frame), casters = *casters](PassContext& context,
+                                                                        const glm::mat4& clipFromWorld) {
       recordCasters(context, *frame, casters, clipFromWorld);
     };
-    Result<ImageRef> scatter = input.effect->addPasses({graph, frame->view, frame->depth, frame->shadowedLights, input.reset, draw});
+    Result<ImageRef> scatter =
+        input.effect->addPasses({graph, frame->view, frame->depth, frame->shadowedLights, input.reset, draw});
     if (!scatter) return scatter.error();
     output.scatter = *scatter;
   }

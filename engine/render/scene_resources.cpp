@@ -21,7 +21,8 @@ shared::UvTransform uvTransform(const scene::TextureUse& use) {
 }
 
 std::uint32_t textureBits(const scene::Material& m) {
-  return (m.baseColorTexture.used() ? shared::kBaseColorMap : 0u) | (m.metallicRoughnessTexture.used() ? shared::kMetallicRoughnessMap : 0u) |
+  return (m.baseColorTexture.used() ? shared::kBaseColorMap : 0u) |
+         (m.metallicRoughnessTexture.used() ? shared::kMetallicRoughnessMap : 0u) |
          (m.normalTexture.used() ? shared::kNormalMap : 0u) | (m.occlusionTexture.used() ? shared::kOcclusionMap : 0u) |
          (m.emissiveTexture.used() ? shared::kEmissiveMap : 0u);
 }
@@ -52,13 +53,16 @@ Result<MaterialBindings> bindMaterial(TextureUploader& textures, const scene::Ma
   b.alphaMode = m.alphaMode;
   b.doubleSided = m.doubleSided;
   b.textures = textureBits(m);
-  const struct { const scene::TextureUse& use; Content content; TextureBinding& out; } all[] = {
-      {m.baseColorTexture, Content::kColor, b.baseColor},
-      {m.baseColorTexture, Content::kAlphaTest, b.alpha},
-      {m.metallicRoughnessTexture, Content::kData, b.metallicRoughness},
-      {m.normalTexture, Content::kData, b.normal},
-      {m.occlusionTexture, Content::kData, b.occlusion},
-      {m.emissiveTexture, Content::kColor, b.emissive}};
+  const struct {
+    const scene::TextureUse& use;
+    Content content;
+    TextureBinding& out;
+  } all[] = {{m.baseColorTexture, Content::kColor, b.baseColor},
+             {m.baseColorTexture, Content::kAlphaTest, b.alpha},
+             {m.metallicRoughnessTexture, Content::kData, b.metallicRoughness},
+             {m.normalTexture, Content::kData, b.normal},
+             {m.occlusionTexture, Content::kData, b.occlusion},
+             {m.emissiveTexture, Content::kColor, b.emissive}};
   for (const auto& one : all) {
     Result<TextureBinding> bound = one.content == Content::kAlphaTest && m.alphaMode != scene::AlphaMode::kMask
                                        ? textures.bind({}, one.content)
@@ -70,7 +74,8 @@ Result<MaterialBindings> bindMaterial(TextureUploader& textures, const scene::Ma
 }
 
 template <class T>
-Result<gpu::Buffer> uploadBuffer(gpu::Device& device, const std::string& name, VkBufferUsageFlags usage, const std::vector<T>& data) {
+Result<gpu::Buffer> uploadBuffer(gpu::Device& device, const std::string& name, VkBufferUsageFlags usage,
+                                 const std::vector<T>& data) {
   // Vulkan has no empty buffers; a level may be empty.
   const VkDeviceSize bytes = std::max<VkDeviceSize>(data.size() * sizeof(T), 64);
   Result<gpu::Buffer> made = device.createBuffer({name, bytes, usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, false});
@@ -103,7 +108,8 @@ Result<void> uploadGeometry(gpu::Device& device, const scene::Scene& scene, Scen
     for (const scene::Primitive& p : mesh.primitives) {
       ranges.push_back({static_cast<std::uint32_t>(indices.size()), static_cast<std::uint32_t>(p.indices.size()),
                         static_cast<std::int32_t>(vertices.size()),
-                        p.material == scene::kNone ? defaultMaterial : static_cast<std::uint32_t>(p.material), p.bounds});
+                        p.material == scene::kNone ? defaultMaterial : static_cast<std::uint32_t>(p.material),
+                        p.bounds});
       vertices.insert(vertices.end(), p.vertices.begin(), p.vertices.end());
       indices.insert(indices.end(), p.indices.begin(), p.indices.end());
     }

@@ -11,22 +11,25 @@
 
 namespace tyndall::render {
 
-struct TextureBinding { VkImageView view = VK_NULL_HANDLE; VkSampler sampler = VK_NULL_HANDLE; };
+struct TextureBinding {
+  VkImageView view = VK_NULL_HANDLE;
+  VkSampler sampler = VK_NULL_HANDLE;
+};
 
 struct MaterialBindings {
   /// `alpha` is the base-colour image again, for the alpha test: mip 0 only, bilinear (see material.glsl).
   TextureBinding baseColor, alpha, metallicRoughness, normal, occlusion, emissive;
   scene::AlphaMode alphaMode = scene::AlphaMode::kOpaque;
   bool doubleSided = false;
-  std::uint32_t textures = 0;   ///< shared::k...Map bits of the maps it has
+  std::uint32_t textures = 0;  ///< shared::k...Map bits of the maps it has
 };
 
 /// Where a primitive lies in the shared buffers.
 struct DrawRange {
   std::uint32_t firstIndex = 0, indexCount = 0;
   std::int32_t vertexOffset = 0;
-  std::uint32_t material = 0;   ///< index into SceneResources::materials
-  scene::Bounds bounds;         ///< mesh space
+  std::uint32_t material = 0;  ///< index into SceneResources::materials
+  scene::Bounds bounds;        ///< mesh space
 };
 
 /// A whole multiple of every offset alignment that Vulkan 1.3 lets a device ask of a uniform buffer.
@@ -34,7 +37,7 @@ inline constexpr VkDeviceSize kMaterialStride = 256;
 
 struct SceneResources {
   gpu::Buffer vertices, indices;
-  gpu::Buffer materialBlocks;                  ///< one shared::MaterialBlock every kMaterialStride bytes
+  gpu::Buffer materialBlocks;  ///< one shared::MaterialBlock every kMaterialStride bytes
   std::vector<gpu::Image> images;
   std::vector<std::vector<DrawRange>> meshes;  ///< by mesh, then by primitive
   std::vector<MaterialBindings> materials;     ///< one more than the scene's: the last is glTF's default material

@@ -13,9 +13,10 @@ namespace {
 
 // The filter around a look-up at the map's border reaches two texels further.
 constexpr double kMarginTexels = 2;
-// A flat or thin box of casters seen edge-on has no area; it is thickened by this share of its diagonal and this length.
+// A flat or thin box of casters seen edge-on has no area; it is thickened by this share of its diagonal and this
+// length. That also keeps the farthest caster from storing 1, which means "nothing".
 constexpr double kThickenShare = 1e-4, kThickenMetres = 1e-3;
-// The farthest caster must not store 1, which means "nothing": the far plane stands off by this share of the depth range.
+// The same for the far plane of spot and point lights, as a share of the distance.
 constexpr double kFarMargin = 1e-3;
 
 struct Basis {
@@ -59,7 +60,9 @@ glm::mat4 perspective(const Basis& b, const glm::dvec3& eye, double tangent, dou
   return glm::mat4(m);
 }
 
-struct DepthRange { double near, far; };
+struct DepthRange {
+  double near, far;
+};
 
 // Distances of the casters from a local light. Depth clamp keeps casters nearer than `near`.
 DepthRange localRange(const scene::LightView& light, const scene::Bounds& casters) {
@@ -72,8 +75,8 @@ DepthRange localRange(const scene::LightView& light, const scene::Bounds& caster
   farthest = farthest * (1 + kFarMargin) + kThickenMetres;
   // Light ends at its range: what lies beyond is unlit anyway.
   if (light.light.range) farthest = std::min(farthest, std::max(static_cast<double>(*light.light.range), 1e-3));
-  // A perspective depth's precision is the far distance's share of the near one: a thousandth keeps float depths good to
-  // farthest * 6e-5. The face's axis is up to sqrt(3) times shorter than the distance.
+  // A perspective depth's precision is the far distance's share of the near one: a thousandth keeps float depths good
+  // to farthest * 6e-5. The face's axis is up to sqrt(3) times shorter than the distance.
   const double near = std::max({0.02, 1e-3 * farthest, 0.99 * glm::distance(p, nearest) / std::sqrt(3.0)});
   return {std::min(near, 0.5 * farthest), farthest};
 }
@@ -89,7 +92,8 @@ Corners boxCorners(const scene::Bounds& box, const glm::vec3& fallback) {
   return corners;
 }
 
-ShadowFit fitDirectional(const View& view, const glm::vec3& direction, const scene::Bounds& casters, std::uint32_t size) {
+ShadowFit fitDirectional(const View& view, const glm::vec3& direction, const scene::Bounds& casters,
+                         std::uint32_t size) {
   ShadowFit fit;
   const Basis basis = basisAlong(glm::dvec3(direction));
   if (casters.empty()) {
@@ -111,7 +115,6 @@ ShadowFit fitDirectional(const View& view, const glm::vec3& direction, const sce
     nearest = std::min(nearest, p.z);
     farthest = std::max(farthest, p.z);
   }
-  farthest += kFarMargin * (farthest - nearest);
   const Polygon castersHull = convexHull(points);
 
   points.assign(1, glm::dvec2(basis.apply(glm::dvec3(view.eye))));
@@ -152,7 +155,8 @@ ShadowFit fitSpot(const scene::LightView& light, const scene::Bounds& casters, s
   }
   const double tangent = std::max(std::tan(half), 1e-4) * (1 + 2 * kMarginTexels / size);
   const DepthRange range = localRange(light, casters);
-  fit.clipFromWorld[0] = perspective(basisAlong(glm::dvec3(light.direction)), glm::dvec3(light.position), tangent, range.near, range.far);
+  fit.clipFromWorld[0] =
+      perspective(basisAlong(glm::dvec3(light.direction)), glm::dvec3(light.position), tangent, range.near, range.far);
   fit.useful = !casters.empty();
   fit.texelSize = 2 * tangent / size;
   return fit;

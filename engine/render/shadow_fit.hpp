@@ -28,9 +28,10 @@ struct ShadowFit {
 };
 
 /// A sun's map: the part of the view's frustum, from the eye to the far plane, that casters can shadow. Seen along the
-/// light, that is the intersection of two convex polygons - frustum and casters' box - and the map is the smallest rectangle
-/// around it (turned as needed), two texels wider on each side. Whatever lies outside is out of view or lit.
-ShadowFit fitDirectional(const View& view, const glm::vec3& direction, const scene::Bounds& casters, std::uint32_t size);
+/// light, that is the intersection of two convex polygons - frustum and casters' box - and the map is the smallest
+/// rectangle around it (turned as needed), two texels wider on each side. Whatever lies outside is out of view or lit.
+ShadowFit fitDirectional(const View& view, const glm::vec3& direction, const scene::Bounds& casters,
+                         std::uint32_t size);
 
 /// A spot light's map: the outer cone, from the nearest caster to the range or the farthest caster.
 ShadowFit fitSpot(const scene::LightView& light, const scene::Bounds& casters, std::uint32_t size);

@@ -28,13 +28,15 @@ void mipBarrier(VkCommandBuffer commands, VkImage image, std::uint32_t mip, VkIm
 }
 
 VkOffset3D mipCorner(const gpu::ImageDesc& desc, std::uint32_t mip) {
-  return {static_cast<std::int32_t>(std::max(1u, desc.width >> mip)), static_cast<std::int32_t>(std::max(1u, desc.height >> mip)), 1};
+  return {static_cast<std::int32_t>(std::max(1u, desc.width >> mip)),
+          static_cast<std::int32_t>(std::max(1u, desc.height >> mip)), 1};
 }
 
 // Each mip is blitted from the last; blits of sRGB formats average linear light.
 void generateMips(VkCommandBuffer commands, const gpu::Image& image) {
   const gpu::ImageDesc& desc = image.desc();
-  mipBarrier(commands, image.handle(), 0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  mipBarrier(commands, image.handle(), 0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+             VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
   for (std::uint32_t mip = 1; mip < desc.mips; ++mip) {
     mipBarrier(commands, image.handle(), mip, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
     VkImageBlit blit{};
@@ -44,7 +46,8 @@ void generateMips(VkCommandBuffer commands, const gpu::Image& image) {
     blit.dstOffsets[1] = mipCorner(desc, mip);
     vkCmdBlitImage(commands, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image.handle(),
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_LINEAR);
-    mipBarrier(commands, image.handle(), mip, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    mipBarrier(commands, image.handle(), mip, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
   }
   gpu::transition(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 }
@@ -102,7 +105,8 @@ VkSampler TextureUploader::sampler(const scene::Sampler& sampler, Content conten
   if (content == Content::kAlphaTest) return device_.sampler(info);
   info.magFilter = filter(sampler.magnify);
   info.minFilter = filter(sampler.minify);
-  info.mipmapMode = sampler.mipmap == scene::Filter::kNearest ? VK_SAMPLER_MIPMAP_MODE_NEAREST : VK_SAMPLER_MIPMAP_MODE_LINEAR;
+  info.mipmapMode =
+      sampler.mipmap == scene::Filter::kNearest ? VK_SAMPLER_MIPMAP_MODE_NEAREST : VK_SAMPLER_MIPMAP_MODE_LINEAR;
   // 0.25 is Vulkan's own way to say "no mipmaps, but tell magnification from minification" (VkSamplerCreateInfo).
   info.maxLod = sampler.useMipmaps ? VK_LOD_CLAMP_NONE : 0.25f;
   // Free on a GPU, several times the cost of a look-up on a CPU.

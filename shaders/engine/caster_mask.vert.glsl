@@ -1,4 +1,5 @@
-// Depth of alpha-tested shadow casters. In: positions, uv, vertex colour, instances. Out: clip position, base-colour uv, alpha.
+// Depth of alpha-tested shadow casters. In: positions, uv, vertex colour, instances. Out: clip position, base-colour
+// uv, alpha.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

@@ -1,6 +1,7 @@
 // Distance along each pixel's ray from the eye to the surface or the far plane.
 // In: depth (D32, reversed: 1 at znear, 0 at zfar or where nothing was drawn). Out: R32F, metres.
-// Equation: depth = (n/(f-n) (f - z)) / z for a point at z metres along the optical axis, so z = n f / (n + depth (f - n));
+// Equation: depth = (n/(f-n) (f - z)) / z for a point at z metres along the optical axis, so z = n f / (n + depth (f -
+// n));
 // the ray is longer by 1/cos of its angle to the axis.
 #version 460
 #extension GL_EXT_scalar_block_layout : require

@@ -1,4 +1,5 @@
-// Lights the G-buffer. The first pass (BASE) writes sky, emission, the sky's light, all unshadowed lights and up to four
+// Lights the G-buffer. The first pass (BASE) writes sky, emission, the sky's light, all unshadowed lights and up to
+// four
 // shadowed ones; passes for further shadowed lights add to it.
 // In: G-buffer (gbuffer.frag), depth (D32, reversed), shadow maps (D32). Out: RGBA32F radiance, linear; A is 1.
 // Equation: glTF 2.0, appendix B.2 (brdf.glsl), summed over KHR_lights_punctual lights (lights.glsl).

@@ -28,7 +28,8 @@ struct LightBlock {
   mat4 clipFromWorld[6];  // of each face; only the first faceCount are used
 };
 
-// Lights that one pass shadows; an array of so many is a whole multiple of any offset alignment that a uniform buffer asks for.
+// Lights that one pass shadows; an array of so many is a whole multiple of any offset alignment that a uniform buffer
+// asks for.
 #ifdef __cplusplus
 inline constexpr uint kShadowSlots = 4;
 static_assert(kShadowSlots * sizeof(LightBlock) % 256 == 0);

@@ -18,7 +18,8 @@ struct InstanceBlock {
 
 // Bits of the textures a material has; shaders are specialized on them.
 #ifdef __cplusplus
-inline constexpr uint kBaseColorMap = 1, kMetallicRoughnessMap = 2, kNormalMap = 4, kOcclusionMap = 8, kEmissiveMap = 16;
+inline constexpr uint kBaseColorMap = 1, kMetallicRoughnessMap = 2, kNormalMap = 4;
+inline constexpr uint kOcclusionMap = 8, kEmissiveMap = 16;
 #else
 const uint kBaseColorMap = 1, kMetallicRoughnessMap = 2, kNormalMap = 4, kOcclusionMap = 8, kEmissiveMap = 16;
 #endif

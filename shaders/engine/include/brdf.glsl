@@ -17,7 +17,8 @@ struct Surface {
 // 0.04 is the reflectance of a dielectric of index 1.5. Roughness below 0.045 would make highlights of a punctual light
 // narrower than a pixel and up to 1e6 times the diffuse light (Lagarde and de Rousiers 2014, Moving Frostbite to
 // Physically Based Rendering, section 3.2.1.1 limits it so).
-Surface makeSurface(vec3 position, vec3 normal, vec3 eye, vec3 baseColor, float metallic, float roughness, float occlusion) {
+Surface makeSurface(vec3 position, vec3 normal, vec3 eye, vec3 baseColor, float metallic, float roughness,
+                    float occlusion) {
   float r = max(roughness, 0.045);
   return Surface(position, normal, normalize(eye - position), baseColor * (1.0 - metallic),
                  mix(vec3(0.04), baseColor, metallic), r * r, occlusion);
@@ -37,7 +38,8 @@ float ggx(float alpha, float nDotH) {
   return a2 / (kPi * d * d);
 }
 
-// G / (4 nDotL nDotV) of Smith's height-correlated masking and shadowing: Heitz 2014, Understanding the Masking-Shadowing
+// G / (4 nDotL nDotV) of Smith's height-correlated masking and shadowing: Heitz 2014, Understanding the
+// Masking-Shadowing
 // Function in Microfacet-Based BRDFs, equation 99, in the form of Lagarde and de Rousiers 2014, listing 2.
 float smithVisibility(float alpha, float nDotL, float nDotV) {
   float a2 = alpha * alpha;
@@ -59,7 +61,8 @@ vec3 reflectPunctual(Surface s, vec3 towardsLight) {
   return ((1.0 - f) * s.diffuse / kPi + specular) * nDotL;
 }
 
-// Directional albedo of the specular lobe under a uniform sky: the fit of Karis 2014, Physically Based Shading on Mobile
+// Directional albedo of the specular lobe under a uniform sky: the fit of Karis 2014, Physically Based Shading on
+// Mobile
 // (after Lazarov 2013, Getting More Physical in Call of Duty: Black Ops II).
 vec3 specularAlbedo(vec3 f0, float roughness, float nDotV) {
   const vec4 c0 = vec4(-1.0, -0.0275, -0.572, 0.022);

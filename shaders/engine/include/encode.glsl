@@ -19,7 +19,8 @@ vec3 unitFromOct(vec2 coded) {
 
 // IEC 61966-2-1 (sRGB) transfer function, for linear values in [0, 1].
 vec3 srgbFromLinear(vec3 c) {
-  return mix(1.055 * pow(max(c, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055, c * 12.92, lessThanEqual(c, vec3(0.0031308)));
+  vec3 curved = 1.055 * pow(max(c, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055;
+  return mix(curved, c * 12.92, lessThanEqual(c, vec3(0.0031308)));
 }
 
 #endif

@@ -1,8 +1,10 @@
 // All lights' contribution to a surface. The includer declares (with these names): the uniform block's member
 // `LightBlock shadowedLights[kShadowSlots]`, the storage buffer's `LightBlock lights[]`, the specialization constant
 // SHADOW_SLOTS (0 to kShadowSlots) and the samplers shadowMap0..3.
-// Light i of shadowedLights has the map shadowMap<i>. Slots are written out instead of looped over: samplers cannot be indexed
-// (descriptor indexing is missing on software devices), and constant indices into a uniform block are the fastest loads there.
+// Light i of shadowedLights has the map shadowMap<i>. Slots are written out instead of looped over: samplers cannot be
+// indexed
+// (descriptor indexing is missing on software devices), and constant indices into a uniform block are the fastest
+// loads there.
 #ifndef TYNDALL_LIGHTS_GLSL
 #define TYNDALL_LIGHTS_GLSL
 #include "engine/include/brdf.glsl"

@@ -1,11 +1,13 @@
-// Inputs of the two shaders that shade geometry (gbuffer.frag, transparent.frag), and the glTF material evaluated there.
+// Inputs of the two shaders that shade geometry (gbuffer.frag, transparent.frag), and the glTF material evaluated
+// there.
 #ifndef TYNDALL_MATERIAL_GLSL
 #define TYNDALL_MATERIAL_GLSL
 #include "shared/surface.h"
 #include "shared/view.h"
 
 layout(binding = 0, scalar) uniform ViewUniform { ViewBlock view; };
-// A uniform block and not an array in a storage buffer: llvmpipe loads zeros from storage buffers in the helper invocations
+// A uniform block and not an array in a storage buffer: llvmpipe loads zeros from storage buffers in the helper
+// invocations
 // beyond a triangle's edge, and texture coordinates made from them break the choice of mip level there.
 layout(binding = 2, scalar) uniform Material { MaterialBlock material; };
 layout(binding = 3) uniform sampler2D baseColorMap;          // sRGB

@@ -15,13 +15,15 @@ uint cubeFace(vec3 d) {
   return d.z >= 0.0 ? 4u : 5u;
 }
 
-// A 3x3 filter with bilinear weights reaches depths up to 2 texels away from the receiver's place: on a plane whose normal
+// A 3x3 filter with bilinear weights reaches depths up to 2 texels away from the receiver's place: on a plane whose
+// normal
 // makes an angle t with the light, moving it 2 sin(t) texels along its normal puts it before all of them. Half a texel
 // more towards the light covers rounding of depth and of interpolated normals.
 const float kNormalOffsetTexels = 2.0;
 const float kLightOffsetTexels = 0.5;
 
-// Clip position of the receiver in the map of shadowedLights[slot] (w divided out) and the layer; xy outside [-1, 1]: unshadowed.
+// Clip position of the receiver in the map of shadowedLights[slot] (w divided out) and the layer; xy outside [-1, 1]:
+// unshadowed.
 // (A slot, not a struct: copies of a light with its six matrices are dear on software devices.)
 vec4 shadowPlace(uint slot, vec3 position, vec3 normal, vec3 towardsLight) {
   uint kind = shadowedLights[slot].core.kind;

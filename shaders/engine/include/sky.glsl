@@ -1,4 +1,5 @@
-// A plain analytic sky: zenith-to-horizon gradient and a glow around the sun. Artistic, but in proportion to the sun: its
+// A plain analytic sky: zenith-to-horizon gradient and a glow around the sun. Artistic, but in proportion to the sun:
+// its
 // radiances come from engine/render/sky.cpp. The sun's own disc is not drawn (a punctual light has no size).
 #ifndef TYNDALL_SKY_GLSL
 #define TYNDALL_SKY_GLSL

@@ -30,7 +30,8 @@ struct Level {
     m.roughness = 1;
     return m;
   }
-  /// A parallelogram center +- u +- v; its front faces along cross(u, v). uv (0,0) at -u+v, (1,1) at +u-v (row 0 on top).
+  /// A parallelogram center +- u +- v; its front faces along cross(u, v). uv (0,0) at -u+v, (1,1) at +u-v (row 0 on
+  /// top).
   scene::Node& quad(const glm::vec3& center, const glm::vec3& u, const glm::vec3& v, std::int32_t materialIndex) {
     scene::Primitive p;
     p.material = materialIndex;

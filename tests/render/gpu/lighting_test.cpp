@@ -4,15 +4,16 @@
 namespace tyndall::render::test {
 namespace {
 
-// glTF 2.0 appendix B in doubles, written from the specification and not from the shaders: radiance towards `v` per unit of
-// irradiance on a plane facing the light, times the cosine.
+// glTF 2.0 appendix B in doubles, written from the specification and not from the shaders: radiance towards `v` per
+// unit of irradiance on a plane facing the light, times the cosine.
 double reflect(double albedo, double roughness, const glm::dvec3& n, const glm::dvec3& l, const glm::dvec3& v) {
   const double pi = std::acos(-1.0), a2 = std::pow(roughness, 4);
   const glm::dvec3 h = glm::normalize(l + v);
   const double nl = glm::dot(n, l), nv = glm::dot(n, v), nh = glm::dot(n, h), vh = glm::dot(v, h);
   const double f = 0.04 + 0.96 * std::pow(1 - vh, 5);
   const double d = a2 / (pi * std::pow(nh * nh * (a2 - 1) + 1, 2));
-  const double g = 2 * nl / (nl + std::sqrt(a2 + (1 - a2) * nl * nl)) * 2 * nv / (nv + std::sqrt(a2 + (1 - a2) * nv * nv));
+  const double g =
+      2 * nl / (nl + std::sqrt(a2 + (1 - a2) * nl * nl)) * 2 * nv / (nv + std::sqrt(a2 + (1 - a2) * nv * nv));
   // Height-correlated Smith, from the lambdas (Heitz 2014, equation 99); g above is the uncorrelated product.
   const auto lambda = [&](double c) { return (-1 + std::sqrt(1 + a2 * (1 - c * c) / (c * c))) / 2; };
   const double correlated = 1 / (1 + lambda(nl) + lambda(nv));
@@ -45,8 +46,10 @@ TEST_F(LightingTest, DirectSunlightIsTheBrdfTimesIrradiance) {
     const std::uint32_t x = 32, y = 32;
     const View view = makeView(lit.camera, a.width, a.height);
     const glm::vec2 ndc = (glm::vec2(x, y) + 0.5f) / 32.0f - 1.0f;
-    const glm::vec3 ray = glm::normalize(glm::vec3(view.worldFromView * glm::vec4(ndc.x * view.viewFromClip[0][0], ndc.y * view.viewFromClip[1][1], -1, 0)));
-    const double expected = 10 * reflect(linearFromSrgb(188), roughness, {0, 1, 0}, -glm::dvec3(light.direction), -glm::dvec3(ray));
+    const glm::vec3 ray = glm::normalize(glm::vec3(
+        view.worldFromView * glm::vec4(ndc.x * view.viewFromClip[0][0], ndc.y * view.viewFromClip[1][1], -1, 0)));
+    const double expected =
+        10 * reflect(linearFromSrgb(188), roughness, {0, 1, 0}, -glm::dvec3(light.direction), -glm::dvec3(ray));
     // Software devices decode sRGB by a polynomial that is 0.14 percent off at this grey.
     EXPECT_NEAR(a.at(x, y).r - b.at(x, y).r, expected, 2e-3 * expected) << "roughness " << roughness;
     EXPECT_GT(expected, 0.5 * linearFromSrgb(188) * 10 / 3.1416);
@@ -57,7 +60,7 @@ TEST_F(LightingTest, DirectSunlightIsTheBrdfTimesIrradiance) {
 
 TEST_F(LightingTest, ShadowOfALocalLightLeavesNoDirectLight) {
   Floor floor;
-  floor.addRoof(0.6f);   // its shadow under a light two metres above it: 2.7 m to each side
+  floor.addRoof(0.6f);  // its shadow under a light two metres above it: 2.7 m to each side
   const Shot none = stage().render(floor.level.scene, floor.camera, {});
   for (const scene::LightView& light : {pointLight({0, 9, 0}, 500), spotLight({0, 9, 0}, {0, 0, 0}, 500, 0.9f)}) {
     const Shot shot = stage().render(floor.level.scene, floor.camera, {light});
@@ -74,7 +77,8 @@ TEST_F(LightingTest, PointLightFallsOffWithDistanceRangeAndCone) {
     return radianceAt(floor.camera, stage().render(floor.level.scene, floor.camera, {light}), place).r -
            radianceAt(floor.camera, none, place).r;
   };
-  const float far = direct(pointLight(place + glm::vec3(0, 4, 0), 10)), near = direct(pointLight(place + glm::vec3(0, 2, 0), 10));
+  const float far = direct(pointLight(place + glm::vec3(0, 4, 0), 10)),
+              near = direct(pointLight(place + glm::vec3(0, 2, 0), 10));
   EXPECT_NEAR(near / far, 4, 0.02);
   scene::LightView ranged = pointLight(place + glm::vec3(0, 2, 0), 10);
   ranged.light.range = 3.0f;
@@ -96,15 +100,19 @@ TEST_F(LightingTest, ManyShadowedLightsAddUp) {
     if (i % 2) lights.back().light.range = 6.0f;
   }
   const Shot all = stage().render(floor.level.scene, floor.camera, lights);
-  EXPECT_EQ(std::count_if(all.passes.begin(), all.passes.end(), [](const PassTime& p) { return p.name.starts_with("lighting"); }), 3);
+  EXPECT_EQ(std::count_if(all.passes.begin(), all.passes.end(),
+                          [](const PassTime& p) { return p.name.starts_with("lighting"); }),
+            3);
   // The sky belongs to the sun: render it once with the sun only and add what each local light adds.
-  const Shot none = stage().render(floor.level.scene, floor.camera, {}), sunny = stage().render(floor.level.scene, floor.camera, {lights[0]});
+  const Shot none = stage().render(floor.level.scene, floor.camera, {}),
+             sunny = stage().render(floor.level.scene, floor.camera, {lights[0]});
   std::vector<glm::vec4> sum = sunny.color;
   for (std::size_t i = 1; i < lights.size(); ++i) {
     const Shot one = stage().render(floor.level.scene, floor.camera, {lights[i]});
     for (std::size_t p = 0; p < sum.size(); ++p) sum[p] += one.color[p] - none.color[p];
   }
-  for (std::size_t p = 0; p < sum.size(); ++p) ASSERT_NEAR(all.color[p].g, sum[p].g, 2e-4 + 1e-3 * sum[p].g) << "pixel " << p;
+  for (std::size_t p = 0; p < sum.size(); ++p)
+    ASSERT_NEAR(all.color[p].g, sum[p].g, 2e-4 + 1e-3 * sum[p].g) << "pixel " << p;
 }
 
 TEST_F(LightingTest, APointLightsSixFacesEachShadowTheirSide) {
@@ -144,7 +152,8 @@ TEST_F(LightingTest, NoAcneOnTiltedSurfacesAndNoLeaks) {
     for (std::size_t p = 0; p < shot.color.size(); ++p) {
       if (shot.distance[p] > 50) continue;
       ++lit;
-      ASSERT_GT(shot.color[p].r, 0.8 * 10 * cosine * linearFromSrgb(188) / 3.1416) << "slope " << slope << ", pixel " << p;
+      ASSERT_GT(shot.color[p].r, 0.8 * 10 * cosine * linearFromSrgb(188) / 3.1416)
+          << "slope " << slope << ", pixel " << p;
     }
     EXPECT_GT(lit, 1000);
   }

@@ -27,8 +27,11 @@ class FlatEffect : public Effect {
     mapDesc.format = VK_FORMAT_D32_SFLOAT;
     mapDesc.width = mapDesc.height = 64;
     map_ = input.graph.image(mapDesc, "test");
-    input.graph.pass("own map", "test").use(map_, Use::kDepthWrite).keep().run(
-        [map = map_, draw = input.drawCasters, matrix = input.lights.empty() ? glm::mat4(1) : input.lights[0].clipFromWorld[0]](PassContext& context) {
+    input.graph.pass("own map", "test")
+        .use(map_, Use::kDepthWrite)
+        .keep()
+        .run([map = map_, draw = input.drawCasters,
+              matrix = input.lights.empty() ? glm::mat4(1) : input.lights[0].clipFromWorld[0]](PassContext& context) {
           const PassContext::DepthAttachment depth{map, true, 1.0f};
           context.beginRendering({}, &depth);
           draw(context, matrix);
@@ -127,7 +130,7 @@ TEST_F(OutputTest, LightsBeyondTheBudgetAreNamed) {
   for (int i = 0; i < 3; ++i) lights.push_back(pointLight({static_cast<float>(i), 3, 0}, 5));
   lights.push_back(sun({0, -1, 0}, 1));
   Stage::Options options;
-  options.settings.shadowResolution = 8192;   // 256 MiB a face: a sun and no point light fits 1 GiB
+  options.settings.shadowResolution = 8192;  // 256 MiB a face: a sun and no point light fits 1 GiB
   options.width = options.height = 8;
   FlatEffect effect({0, 0, 0, 1});
   options.effect = &effect;

@@ -22,11 +22,14 @@ TEST_F(ReloadTest, AChangedShaderIsUsedAndABrokenOneIsNot) {
   std::string name = (fs::temp_directory_path() / "tyndall-reload-XXXXXX").string();
   ASSERT_NE(mkdtemp(name.data()), nullptr);
   const fs::path folder = name;
-  for (const auto& file : fs::directory_iterator(fs::path(TYNDALL_BIN_DIR) / "shaders")) fs::copy(file, folder / file.path().filename());
+  for (const auto& file : fs::directory_iterator(fs::path(TYNDALL_BIN_DIR) / "shaders"))
+    fs::copy(file, folder / file.path().filename());
   const fs::path source = folder / "composite.frag.glsl";
   const auto shader = [](const std::string& color) {
-    return "#version 460\nlayout(binding = 0) uniform sampler2D colorTarget;\nlayout(location = 0) out vec4 outPicture;\n"
-           "void main() { outPicture = " + color + "; }\n";
+    return "#version 460\nlayout(binding = 0) uniform sampler2D colorTarget;\nlayout(location = 0) out vec4 "
+           "outPicture;\n"
+           "void main() { outPicture = " +
+           color + "; }\n";
   };
   write(source, shader("vec4(texelFetch(colorTarget, ivec2(0), 0).rgb, 1.0)"), -1);
   write(folder / "composite.frag.spv.json",

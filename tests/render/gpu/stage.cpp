@@ -19,14 +19,17 @@ struct Copy {
 
 void addCopy(gpu::Device& device, Graph& graph, ImageRef image, Copy& copy) {
   const gpu::ImageDesc desc = graph.desc(image);
-  copy.buffer = device.createBuffer({"readback", VkDeviceSize{desc.width} * desc.height * gpu::texelBytes(desc.format),
-                                     VK_BUFFER_USAGE_TRANSFER_DST_BIT, true}).take();
+  copy.buffer = device
+                    .createBuffer({"readback", VkDeviceSize{desc.width} * desc.height * gpu::texelBytes(desc.format),
+                                   VK_BUFFER_USAGE_TRANSFER_DST_BIT, true})
+                    .take();
   const BufferRef target = graph.import(copy.buffer);
   graph.pass("copy").use(image, Use::kTransferRead).use(target, Use::kTransferWrite).run([=](PassContext& context) {
     VkBufferImageCopy region{};
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     region.imageExtent = {desc.width, desc.height, 1};
-    vkCmdCopyImageToBuffer(context.commands(), context.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, context.buffer(target), 1, &region);
+    vkCmdCopyImageToBuffer(context.commands(), context.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                           context.buffer(target), 1, &region);
   });
 }
 
@@ -49,13 +52,15 @@ Stage::Stage() {
   renderer_ = renderer.take();
 }
 
-Shot Stage::render(const scene::Scene& scene, const scene::CameraView& camera, const std::vector<scene::LightView>& lights, Options options) {
+Shot Stage::render(const scene::Scene& scene, const scene::CameraView& camera,
+                   const std::vector<scene::LightView>& lights, Options options) {
   Shot shot;
   shot.width = options.width;
   shot.height = options.height;
   Renderer& renderer = options.renderer ? *options.renderer : *renderer_;
   EXPECT_TRUE(renderer.setScene(scene).ok());
-  Renderer::Input input{scene, options.worldFromNode ? *options.worldFromNode : scene::worldMatrices(scene, 0), camera, lights};
+  Renderer::Input input{scene, options.worldFromNode ? *options.worldFromNode : scene::worldMatrices(scene, 0), camera,
+                        lights};
   input.width = options.width;
   input.height = options.height;
   input.settings = options.settings;
@@ -89,7 +94,8 @@ glm::ivec2 pixelOf(const scene::CameraView& camera, const Shot& shot, const glm:
   const View view = makeView(camera, shot.width, shot.height);
   const glm::vec4 clip = view.clipFromView * view.viewFromWorld * glm::vec4(world, 1);
   const glm::vec2 pixel = (glm::vec2(clip) / clip.w * 0.5f + 0.5f) * glm::vec2(shot.width, shot.height);
-  EXPECT_TRUE(clip.w > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < static_cast<float>(shot.width) && pixel.y < static_cast<float>(shot.height))
+  EXPECT_TRUE(clip.w > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < static_cast<float>(shot.width) &&
+              pixel.y < static_cast<float>(shot.height))
       << "not in the picture: " << pixel.x << ", " << pixel.y;
   return glm::ivec2(pixel);
 }

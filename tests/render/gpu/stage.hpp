@@ -12,7 +12,7 @@ namespace tyndall::render::test {
 
 struct Shot {
   std::uint32_t width = 0, height = 0;
-  std::vector<glm::vec4> color;       ///< radiance before the medium
+  std::vector<glm::vec4> color;  ///< radiance before the medium
   std::vector<float> distance;
   std::vector<glm::u8vec4> picture;
   std::vector<PassTime> passes;
@@ -21,16 +21,17 @@ struct Shot {
 
 class Stage {
  public:
-  static Stage& get();   ///< one device for all tests of the program
+  static Stage& get();  ///< one device for all tests of the program
 
   struct Options {
     std::uint32_t width = 64, height = 64;
     FrameSettings settings;
     Effect* effect = nullptr;
-    Renderer* renderer = nullptr;   ///< null: the stage's own
+    Renderer* renderer = nullptr;  ///< null: the stage's own
     std::optional<std::vector<glm::mat4>> worldFromNode;
   };
-  Shot render(const scene::Scene& scene, const scene::CameraView& camera, const std::vector<scene::LightView>& lights, Options options);
+  Shot render(const scene::Scene& scene, const scene::CameraView& camera, const std::vector<scene::LightView>& lights,
+              Options options);
   Shot render(const scene::Scene& scene, const scene::CameraView& camera, const std::vector<scene::LightView>& lights) {
     return render(scene, camera, lights, Options{});
   }
@@ -50,6 +51,7 @@ class FrameTest : public testing::Test {
   void SetUp() override { before_ = Stage::get().device().validationMessages(); }
   void TearDown() override { EXPECT_EQ(Stage::get().device().validationMessages(), before_); }
   Stage& stage() { return Stage::get(); }
+
  private:
   std::uint32_t before_ = 0;
 };

@@ -28,7 +28,7 @@ TEST_F(SurfaceTest, DistanceIsAlongTheRay) {
   for (std::uint32_t y = 0; y < shot.height; ++y) {
     for (std::uint32_t x = 0; x < shot.width; ++x) {
       const glm::dvec3 inView(((x + 0.5) / 48 - 1) * tangent * 2, (1 - (y + 0.5) / 24) * tangent, -1);
-      const glm::dvec3 ray(pose * glm::dvec4(inView, 0));   // one metre along the axis
+      const glm::dvec3 ray(pose * glm::dvec4(inView, 0));  // one metre along the axis
       const double steps = ray.y < 0 ? 3 / -ray.y : 1e9;
       const double expected = std::min(steps, 60.0) * glm::length(inView);
       ASSERT_NEAR(shot.distance[y * shot.width + x], expected, 2e-4 * expected) << x << "," << y;
@@ -55,7 +55,7 @@ TEST_F(SurfaceTest, CutOutsAndTheirShadowsAgree) {
   leaf.alphaMode = scene::AlphaMode::kMask;
   leaf.doubleSided = true;
   leaf.baseColorTexture.texture = 0;
-  level.quad({0, 1, 0}, {1, 0, 0}, {0, 0, -1}, level.material(leaf));   // its left half is a hole
+  level.quad({0, 1, 0}, {1, 0, 0}, {0, 0, -1}, level.material(leaf));  // its left half is a hole
   const scene::CameraView camera = lookAt({0, 5, 0.01f}, {0, 0, 0}, 1.3f);
   const Shot shot = stage().render(level.scene, camera, {sun({2, -1, 0}, 10)});
   const auto distanceAt = [&](const glm::vec3& p) {
@@ -64,13 +64,15 @@ TEST_F(SurfaceTest, CutOutsAndTheirShadowsAgree) {
   };
   EXPECT_NEAR(distanceAt({-0.5f, 1, 0}), 5.03, 0.05) << "through the hole to the floor";
   EXPECT_NEAR(distanceAt({0.5f, 1, 0}), 4.03, 0.05) << "on the leaf";
-  // One metre higher, the shadow lies 2 m to the right: hole at 1..2, leaf at 2..3 (the camera sees the floor beyond 1.25).
+  // One metre higher, the shadow lies 2 m to the right: hole at 1..2, leaf at 2..3 (the camera sees the floor
+  // beyond 1.25).
   const float litFloor = radianceAt(camera, shot, {-1.5f, 0, 0}).r;
   EXPECT_NEAR(radianceAt(camera, shot, {1.6f, 0, 0}).r, litFloor, 0.02f * litFloor);
   EXPECT_LT(radianceAt(camera, shot, {2.5f, 0, 0}).r, 0.4f * litFloor);
 }
 
-// Palette textures give each face one texel; a triangle's edges must not see others through a wrong choice of mip level.
+// Palette textures give each face one texel; a triangle's edges must not see others through a wrong choice of mip
+// level.
 TEST_F(SurfaceTest, ConstantTextureCoordinatesGiveOneColor) {
   Level level;
   scene::Image image{"palette", 64, 64, {}};
@@ -96,7 +98,7 @@ TEST_F(SurfaceTest, BlendedSurfacesAreDrawnBackToFront) {
   const std::int32_t red = level.material(unlit({1, 0, 0, 0.5f}, scene::AlphaMode::kBlend));
   const std::int32_t green = level.material(unlit({0, 1, 0, 0.25f}, scene::AlphaMode::kBlend));
   const std::int32_t hidden = level.material(unlit({1, 1, 1, 1}, scene::AlphaMode::kBlend));
-  level.quad({0, 0, -2}, {1, 0, 0}, {0, 1, 0}, red);     // nearer, declared first
+  level.quad({0, 0, -2}, {1, 0, 0}, {0, 1, 0}, red);  // nearer, declared first
   level.quad({0, 0, -3}, {1, 0, 0}, {0, 1, 0}, green);
   level.quad({0, 0, -6}, {1, 0, 0}, {0, 1, 0}, hidden);  // behind the opaque wall
   const Shot shot = stage().render(level.scene, lookAt({0, 0, 0}, {0, 0, -1}), {sun({0, -1, -1}, 5)});
@@ -115,9 +117,14 @@ TEST_F(SurfaceTest, BlendedSurfacesAreLitLikeOpaqueOnes) {
       scene::Material m = Level::grey(188);
       m.alphaMode = blend ? scene::AlphaMode::kBlend : scene::AlphaMode::kOpaque;
       level.quad({0, 0, 0}, {4, 0, 0}, {0, 0, -4}, level.material(m));
-      if (roof) level.quad({0, 6, 0}, {2, 0, 0}, {0, 0, -2}, level.material(Level::grey(10)));
-      else level.quad({0, 6, 90}, {1, 0, 0}, {0, 0, -1}, level.material(Level::grey(10)));
-      color[blend] = stage().render(level.scene, lookAt({0, 3, 4}, {0, 0, 0}), {sun({0, -1, 0}, 10), pointLight({1, 2, 1}, 3)}).at(32, 32);
+      if (roof)
+        level.quad({0, 6, 0}, {2, 0, 0}, {0, 0, -2}, level.material(Level::grey(10)));
+      else
+        level.quad({0, 6, 90}, {1, 0, 0}, {0, 0, -1}, level.material(Level::grey(10)));
+      color[blend] =
+          stage()
+              .render(level.scene, lookAt({0, 3, 4}, {0, 0, 0}), {sun({0, -1, 0}, 10), pointLight({1, 2, 1}, 3)})
+              .at(32, 32);
     }
     // The G-buffer holds sRGB codes; software devices decode them 0.14 percent off.
     EXPECT_NEAR(color[0].r, color[1].r, 2e-3 * color[0].r) << (roof ? "in shadow" : "lit");
@@ -164,7 +171,8 @@ TEST_F(SurfaceTest, EmptyLevelsAndTinyPicturesWork) {
   Stage::Options one;
   one.width = one.height = 1;
   one.settings.shadowResolution = 1;
-  const Shot shot = stage().render(level.scene, lookAt({0, 3, 0.01f}, {0, 0, 0}), {sun({0, -1, 0}, 10), pointLight({0, 2, 0}, 5)}, one);
+  const Shot shot = stage().render(level.scene, lookAt({0, 3, 0.01f}, {0, 0, 0}),
+                                   {sun({0, -1, 0}, 10), pointLight({0, 2, 0}, 5)}, one);
   EXPECT_NEAR(shot.distance[0], 3, 0.01);
   for (const glm::vec4& c : shot.color) EXPECT_TRUE(std::isfinite(c.r + c.g + c.b));
 }

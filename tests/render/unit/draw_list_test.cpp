@@ -13,7 +13,7 @@ namespace tyndall::render {
 namespace {
 
 View defaultView() {
-  scene::CameraView camera;   // at the origin, looks down -Z
+  scene::CameraView camera;  // at the origin, looks down -Z
   camera.camera.zfar = 100.0f;
   return makeView(camera, 100, 100);
 }
@@ -47,7 +47,8 @@ TEST(DrawList, OrdersOpaqueFrontToBackAndBlendedBackToFront) {
       EXPECT_LE(a.distance, b.distance);
     }
   }
-  for (std::size_t i = 1; i < list.blended.size(); ++i) EXPECT_GE(list.blended[i - 1].distance, list.blended[i].distance);
+  for (std::size_t i = 1; i < list.blended.size(); ++i)
+    EXPECT_GE(list.blended[i - 1].distance, list.blended[i].distance);
   // Casters: everything but the blended ones (z -9 -12 -3 -6 for those; solids reach from -2 to -13).
   EXPECT_FLOAT_EQ(list.casters.max.z, -1.5f);
 }
@@ -107,7 +108,7 @@ TEST(Culling, NeverDropsABoxWithAVisiblePoint) {
 }
 
 TEST(Culling, DepthClampKeepsCastersBeforeTheMap) {
-  glm::mat4 m(1);   // clip = world, depth 0..1
+  glm::mat4 m(1);  // clip = world, depth 0..1
   EXPECT_FALSE(mayBeSeen({{-0.1f, -0.1f, -5}, {0.1f, 0.1f, -4}}, m, DepthPlanes::kBoth));
   EXPECT_TRUE(mayBeSeen({{-0.1f, -0.1f, -5}, {0.1f, 0.1f, -4}}, m, DepthPlanes::kClamped));
   EXPECT_FALSE(mayBeSeen({{1.1f, -0.1f, 0}, {1.2f, 0.1f, 0.5f}}, m, DepthPlanes::kClamped));
@@ -116,7 +117,8 @@ TEST(Culling, DepthClampKeepsCastersBeforeTheMap) {
 
 TEST(TransformBounds, HoldsTheTransformedCorners) {
   const scene::Bounds box{{-1, 2, -3}, {4, 5, 6}};
-  const glm::mat4 m = glm::scale(glm::rotate(glm::translate(glm::mat4(1), {7, 8, 9}), 1.0f, glm::normalize(glm::vec3(1, 1, 2))), {1, -2, 3});
+  const glm::mat4 m = glm::scale(
+      glm::rotate(glm::translate(glm::mat4(1), {7, 8, 9}), 1.0f, glm::normalize(glm::vec3(1, 1, 2))), {1, -2, 3});
   scene::Bounds expected;
   for (const glm::vec3& c : boxCorners(box, {})) expected.add(glm::vec3(m * glm::vec4(c, 1)));
   const scene::Bounds got = transformBounds(box, m);
@@ -133,7 +135,7 @@ std::vector<scene::LightView> someLights() {
   lights[1].light.name = "lamp";
   lights[2].light.kind = scene::LightKind::kSpot;
   lights[2].position = {0, 0, -5};
-  return lights;   // the fourth is a sun
+  return lights;  // the fourth is a sun
 }
 
 TEST(LightPlan, SunsFirstThenByIrradianceWithinTheBudget) {

@@ -13,7 +13,9 @@ namespace {
 
 using Random = std::mt19937;
 
-float uniform(Random& random, float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); }
+float uniform(Random& random, float low, float high) {
+  return std::uniform_real_distribution<float>(low, high)(random);
+}
 
 glm::vec3 unitVector(Random& random) {
   glm::vec3 v;
@@ -31,13 +33,15 @@ View randomView(Random& random, const glm::vec3& eye) {
 }
 
 glm::vec3 inBox(Random& random, const scene::Bounds& box) {
-  return {uniform(random, box.min.x, box.max.x), uniform(random, box.min.y, box.max.y), uniform(random, box.min.z, box.max.z)};
+  return {uniform(random, box.min.x, box.max.x), uniform(random, box.min.y, box.max.y),
+          uniform(random, box.min.z, box.max.z)};
 }
 
 // A point between the eye and the far plane (also before the near plane: the scattering integral starts at the eye).
 glm::vec3 inFrustum(Random& random, const View& view) {
   const float z = view.zfar * std::cbrt(uniform(random, 0, 1));
-  const glm::vec3 p(uniform(random, -1, 1) * z * view.viewFromClip[0][0], uniform(random, -1, 1) * z * view.viewFromClip[1][1], -z);
+  const glm::vec3 p(uniform(random, -1, 1) * z * view.viewFromClip[0][0],
+                    uniform(random, -1, 1) * z * view.viewFromClip[1][1], -z);
   return glm::vec3(view.worldFromView * glm::vec4(p, 1));
 }
 
@@ -56,7 +60,11 @@ bool lineMeets(const scene::Bounds& box, const glm::vec3& p, const glm::vec3& di
   return enter <= leave;
 }
 
-struct Case { View view; glm::vec3 direction; scene::Bounds casters; };
+struct Case {
+  View view;
+  glm::vec3 direction;
+  scene::Bounds casters;
+};
 
 Case randomCase(Random& random) {
   Case c;
@@ -65,10 +73,17 @@ Case randomCase(Random& random) {
   if (random() % 4 == 0) half[static_cast<int>(random() % 3)] = 0;  // flat
   c.casters = {center - half, center + half};
   const bool inside = random() % 2 == 0;
-  c.view = randomView(random, inside ? inBox(random, c.casters) : glm::vec3(uniform(random, -80, 80), uniform(random, -80, 80), uniform(random, -80, 80)));
+  c.view = randomView(random,
+                      inside ? inBox(random, c.casters)
+                             : glm::vec3(uniform(random, -80, 80), uniform(random, -80, 80), uniform(random, -80, 80)));
   switch (random() % 4) {
-    case 0: c.direction = glm::vec3(c.view.worldFromView[2]) * (random() % 2 ? 1.0f : -1.0f); break;  // along the view axis
-    case 1: c.direction = glm::vec3(0); c.direction[static_cast<int>(random() % 3)] = random() % 2 ? 1.0f : -1.0f; break;
+    case 0:
+      c.direction = glm::vec3(c.view.worldFromView[2]) * (random() % 2 ? 1.0f : -1.0f);
+      break;  // along the view axis
+    case 1:
+      c.direction = glm::vec3(0);
+      c.direction[static_cast<int>(random() % 3)] = random() % 2 ? 1.0f : -1.0f;
+      break;
     default: c.direction = unitVector(random);
   }
   return c;
@@ -127,16 +142,19 @@ TEST(FitDirectional, IsNoLargerThanAnAxisAlignedFit) {
     if (!fit.useful) continue;
     // The same fit without turning: the box, seen along an arbitrary but fixed pair of axes, of what must be inside.
     const glm::dvec3 z = glm::normalize(glm::dvec3(c.direction));
-    const glm::dvec3 x = glm::normalize(glm::cross(std::abs(z.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), z)), y = glm::cross(z, x);
+    const glm::dvec3 x = glm::normalize(glm::cross(std::abs(z.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), z)),
+                     y = glm::cross(z, x);
     std::vector<glm::dvec2> box, frustum{{glm::dot(glm::dvec3(c.view.eye), x), glm::dot(glm::dvec3(c.view.eye), y)}};
-    scene::Bounds thick = c.casters;   // as the fit thickens it
+    scene::Bounds thick = c.casters;  // as the fit thickens it
     const glm::vec3 skin(1e-4f * glm::distance(thick.min, thick.max) + 1e-3f);
     thick.min -= skin;
     thick.max += skin;
-    for (const glm::vec3& p : boxCorners(thick, {})) box.emplace_back(glm::dot(glm::dvec3(p), x), glm::dot(glm::dvec3(p), y));
+    for (const glm::vec3& p : boxCorners(thick, {}))
+      box.emplace_back(glm::dot(glm::dvec3(p), x), glm::dot(glm::dvec3(p), y));
     for (int k = 0; k < 4; ++k) {
       const float f = c.view.zfar;
-      const glm::vec3 corner((k & 1 ? f : -f) * c.view.viewFromClip[0][0], (k & 2 ? f : -f) * c.view.viewFromClip[1][1], -f);
+      const glm::vec3 corner((k & 1 ? f : -f) * c.view.viewFromClip[0][0], (k & 2 ? f : -f) * c.view.viewFromClip[1][1],
+                             -f);
       const glm::dvec3 p(c.view.worldFromView * glm::vec4(corner, 1));
       frustum.emplace_back(glm::dot(p, x), glm::dot(p, y));
     }

@@ -38,7 +38,8 @@ TEST(MakeView, FieldOfViewIsVerticalAndYPointsDown) {
 }
 
 TEST(MakeView, InversesAreInverses) {
-  const glm::mat4 pose = glm::rotate(glm::translate(glm::mat4(1), {3, -7, 11}), 0.8f, glm::normalize(glm::vec3(1, 2, 3)));
+  const glm::mat4 pose =
+      glm::rotate(glm::translate(glm::mat4(1), {3, -7, 11}), 0.8f, glm::normalize(glm::vec3(1, 2, 3)));
   const View view = makeView(camera(0.9f, 0.1f, 1000.0f, pose), 640, 480);
   EXPECT_EQ(view.eye, glm::vec3(3, -7, 11));
   const glm::mat4 a = view.viewFromClip * view.clipFromView, b = view.worldFromView * view.viewFromWorld;

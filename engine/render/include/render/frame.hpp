@@ -1,4 +1,5 @@
-// The deferred frame: G-buffer, shadow maps, lighting, sky, transparent surfaces, volumetrics (through an Effect), tone map.
+// The deferred frame: G-buffer, shadow maps, lighting, sky, transparent surfaces, volumetrics (through an Effect),
+// tone map.
 #pragma once
 
 #include <array>
@@ -46,7 +47,8 @@ struct EffectInput {
   ImageRef depth;                           ///< D32, reversed
   const std::vector<ShadowedLight>& lights; ///< only lights that have shadow maps
   bool reset = false;                       ///< a cut: history is worthless
-  /// Draws all shadow casters (alpha-tested where needed) inside a caster pass's rendering: every vertex is transformed by
+  /// Draws all shadow casters (alpha-tested where needed) inside a caster pass's rendering: every vertex is
+  /// transformed by
   /// `clipFromWorld` alone; depth clamp on, both faces. The rendering has one D32 target and no colour; depth is tested
   /// LESS_OR_EQUAL and written. Null when not offered.
   std::function<void(PassContext&, const glm::mat4& clipFromWorld)> drawCasters;
@@ -56,7 +58,8 @@ struct EffectInput {
 class Effect {
  public:
   virtual ~Effect() = default;
-  /// Adds passes and returns an RGBA32F image (RGB scatter, A transmittance) of the view's size, or an empty ref when there
+  /// Adds passes and returns an RGBA32F image (RGB scatter, A transmittance) of the view's size, or an empty ref when
+  /// there
   /// is nothing to do (scatter 0, transmittance 1).
   virtual Result<ImageRef> addPasses(const EffectInput& input) = 0;
   /// An image to show instead of the picture for this debug view, or empty if the view is not the effect's.
@@ -74,7 +77,7 @@ struct FrameOutput {
   ImageRef picture;                   ///< RGBA8 unorm, sRGB-coded
   ImageRef scatter;                   ///< RGBA32F, empty when the effect had nothing to do
   ImageRef depth;                     ///< D32, reversed
-  ImageRef color;                     ///< RGBA32F radiance of the surfaces and the sky, before medium, exposure and tone map
+  ImageRef color;                     ///< RGBA32F radiance of surfaces and sky, before medium, exposure and tone map
 };
 
 /// Name and help of each of the engine's own debug views ("depth", "normal", "base_color", "shadow_map", ...).
@@ -107,11 +110,13 @@ class Renderer {
   /// Adds a pass that writes the distance along each pixel's ray (metres, R32F) from the depth.
   ImageRef addDistance(Graph& graph, const View& view, ImageRef depth);
 
-  /// Recompiles changed shaders; a broken one keeps its last good pipeline. Returns one line per shader changed or broken.
+  /// Recompiles changed shaders; a broken one keeps its last good pipeline. Returns one line per shader changed or
+  /// broken.
   std::vector<std::string> reloadShaders();
 
   static std::vector<DebugViewInfo> debugViews();
-  /// What the last frame left out, one line each: lights that got no shadow map, with the reason; what a map cannot cover.
+  /// What the last frame left out, one line each: lights that got no shadow map, with the reason; what a map cannot
+  /// cover.
   const std::vector<std::string>& notes() const;
 
   struct State;
