@@ -43,7 +43,8 @@ Result<Buffer> Device::createBufferAt(const BufferDesc& desc, std::shared_ptr<Al
   TY_ASSERT(!memory || !desc.hostVisible, subject + ": shared memory is the GPU's own");
   if (desc.size == 0) return failed(subject + ": a size of 0");
   if (desc.size > state_->maxBufferBytes)
-    return failed(subject + ": too large; this device takes at most " + std::to_string(state_->maxBufferBytes) + " bytes");
+    return failed(subject + ": too large; this device takes at most " + std::to_string(state_->maxBufferBytes) +
+                  " bytes");
   const VkBufferCreateInfo info = createInfo(desc);
   Buffer buffer;
   buffer.state_ = std::make_unique<Buffer::State>(*state_, desc.name);

@@ -26,13 +26,15 @@ Descriptors& Descriptors::storageImage(std::uint32_t binding, VkImageView view) 
   return *this;
 }
 
-Descriptors& Descriptors::storageBuffer(std::uint32_t binding, VkBuffer buffer, VkDeviceSize offset, VkDeviceSize size) {
+Descriptors& Descriptors::storageBuffer(std::uint32_t binding, VkBuffer buffer, VkDeviceSize offset,
+                                        VkDeviceSize size) {
   add(binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
   buffers_[count_++] = {buffer, offset, size};
   return *this;
 }
 
-Descriptors& Descriptors::uniformBuffer(std::uint32_t binding, VkBuffer buffer, VkDeviceSize offset, VkDeviceSize size) {
+Descriptors& Descriptors::uniformBuffer(std::uint32_t binding, VkBuffer buffer, VkDeviceSize offset,
+                                        VkDeviceSize size) {
   add(binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
   buffers_[count_++] = {buffer, offset, size};
   return *this;

@@ -26,7 +26,8 @@ Device::State::~State() {
     uploadStaging = {};
     readbackStaging = {};
     retired.clear();
-    TY_ASSERT(live.empty(), std::to_string(live.size()) + " resources outlive their device, one is '" + (*live.begin())->name + "'");
+    TY_ASSERT(live.empty(),
+              std::to_string(live.size()) + " resources outlive their device, one is '" + (*live.begin())->name + "'");
     allocator.reset();
     for (const auto& [key, sampler] : samplers) vkDestroySampler(device, sampler, nullptr);
     savePipelineCache(*this);
@@ -49,21 +50,26 @@ VkPipelineCache Device::pipelineCache() const { return state_->pipelineCache; }
 VkDeviceSize Device::allocatedBytes() const { return state_->allocator->usedBytes(); }
 std::uint32_t Device::validationMessages() const { return state_->validation.messages; }
 
-void Device::setName(VkObjectType type, std::uint64_t handle, const std::string& name) { state_->name(type, handle, name); }
+void Device::setName(VkObjectType type, std::uint64_t handle, const std::string& name) {
+  state_->name(type, handle, name);
+}
 
 void Device::State::name(VkObjectType type, std::uint64_t handle, const std::string& text) const {
   if (!debugNames || text.empty()) return;
-  VkDebugUtilsObjectNameInfoEXT named{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT, nullptr, type, handle, text.c_str()};
+  VkDebugUtilsObjectNameInfoEXT named{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT, nullptr, type, handle,
+                                      text.c_str()};
   vkSetDebugUtilsObjectNameEXT(device, &named);
 }
 
-Result<std::shared_ptr<Allocation>> Device::allocate(const VkMemoryRequirements& requirements, const std::string& name) {
+Result<std::shared_ptr<Allocation>> Device::allocate(const VkMemoryRequirements& requirements,
+                                                     const std::string& name) {
   return state_->allocator->allocate(requirements, MemoryUse::kDevice, name);
 }
 
 VkSampler Device::sampler(const VkSamplerCreateInfo& wanted) {
   VkSamplerCreateInfo info = wanted;
-  if (!state_->anisotropy) info.anisotropyEnable = VK_FALSE;  // a quality that the device lacks, not a different picture
+  if (!state_->anisotropy)
+    info.anisotropyEnable = VK_FALSE;  // a quality that the device lacks, not a different picture
   // Everything behind pNext is 4 bytes wide, so the struct's tail has no padding and serves as the key.
   const std::size_t tail = offsetof(VkSamplerCreateInfo, flags);
   std::vector<std::byte> key(offsetof(VkSamplerCreateInfo, unnormalizedCoordinates) + sizeof(VkBool32) - tail);

@@ -10,7 +10,8 @@ namespace tyndall::gpu {
 namespace {
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -56,8 +57,10 @@ Candidate examine(VkPhysicalDevice physical, const DeviceOptions& options) {
   const auto family = std::find_if(families.begin(), families.end(), [](const auto& f) {
     return (f.queueFlags & VK_QUEUE_GRAPHICS_BIT) && (f.queueFlags & VK_QUEUE_COMPUTE_BIT);
   });
-  if (family == families.end()) candidate.lacks.push_back("a queue for graphics and compute");
-  else candidate.family = static_cast<std::uint32_t>(family - families.begin());
+  if (family == families.end())
+    candidate.lacks.push_back("a queue for graphics and compute");
+  else
+    candidate.family = static_cast<std::uint32_t>(family - families.begin());
   return candidate;
 }
 
@@ -123,7 +126,8 @@ bool hasExtension(VkPhysicalDevice physical, const char* name) {
 }
 
 std::vector<std::size_t> matchingDevices(const std::vector<std::string>& names, const std::string& wanted) {
-  const bool number = !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
+  const bool number =
+      !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
   if (number)  // "1" is the second device, though the first may have a 1 in its name; "4090" is no index
     for (std::size_t i = 0; i < names.size(); ++i)
       if (wanted == std::to_string(i)) return {i};
@@ -142,7 +146,8 @@ Result<Choice> chooseDevice(VkInstance instance, const DeviceOptions& options) {
   if (count == 0) return failed(kNoDriver);
 
   std::string wanted = options.name, origin = "device";
-  if (const char* variable = std::getenv("TYNDALL_DEVICE"); wanted.empty() && variable) wanted = variable, origin = "TYNDALL_DEVICE";
+  if (const char* variable = std::getenv("TYNDALL_DEVICE"); wanted.empty() && variable)
+    wanted = variable, origin = "TYNDALL_DEVICE";
   std::vector<Candidate> candidates;
   std::vector<std::string> names;
   for (const VkPhysicalDevice device : devices) {
@@ -159,8 +164,8 @@ Result<Choice> chooseDevice(VkInstance instance, const DeviceOptions& options) {
   if (best) return Choice{best->physical, best->family};
   if (matching.empty())
     return badCall(origin + " '" + wanted + "': no such Vulkan device; there is: " + describe(candidates));
-  return failed("Vulkan: no device that the engine can use" + (wanted.empty() ? "" : " is named '" + wanted + "'") + ": " +
-                describe(candidates));
+  return failed("Vulkan: no device that the engine can use" + (wanted.empty() ? "" : " is named '" + wanted + "'") +
+                ": " + describe(candidates));
 }
 
 }  // namespace tyndall::gpu

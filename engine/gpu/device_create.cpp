@@ -33,7 +33,8 @@ bool hasLayer(const char* name) {
 }
 
 Result<void> createInstance(Device::State& state, const DeviceOptions& options) {
-  if (volkInitialize() != VK_SUCCESS) return failed("Vulkan: libvulkan.so.1 is not there; install the package libvulkan1");
+  if (volkInitialize() != VK_SUCCESS)
+    return failed("Vulkan: libvulkan.so.1 is not there; install the package libvulkan1");
   if (!vkEnumerateInstanceVersion || volkGetInstanceVersion() < VK_API_VERSION_1_3)
     return failed("Vulkan: the loader is older than 1.3");
   if (options.validation && !hasLayer(kValidationLayer))
@@ -69,7 +70,8 @@ Result<void> createInstance(Device::State& state, const DeviceOptions& options) 
   info.pApplicationInfo = &application;
   info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
-  if (options.validation) info.pNext = &messenger, info.enabledLayerCount = 1, info.ppEnabledLayerNames = &kValidationLayer;
+  if (options.validation)
+    info.pNext = &messenger, info.enabledLayerCount = 1, info.ppEnabledLayerNames = &kValidationLayer;
   if (const VkResult result = vkCreateInstance(&info, nullptr, &state.instance)) {
     state.instance = VK_NULL_HANDLE;
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER) return failed(kNoDriver);
@@ -88,7 +90,8 @@ Result<void> createInstance(Device::State& state, const DeviceOptions& options) 
 
 void fillInfo(Device::State& state) {
   VkPhysicalDeviceMaintenance4Properties maintenance{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
-  VkPhysicalDevicePushDescriptorPropertiesKHR push{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PUSH_DESCRIPTOR_PROPERTIES_KHR, &maintenance};
+  VkPhysicalDevicePushDescriptorPropertiesKHR push{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PUSH_DESCRIPTOR_PROPERTIES_KHR,
+                                                   &maintenance};
   VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES, &push};
   VkPhysicalDeviceSubgroupProperties subgroup{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES, &driver};
   VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &subgroup};
@@ -140,12 +143,14 @@ Result<void> createLogicalDevice(Device::State& state, const DeviceOptions& opti
 Result<void> createFrameObjects(Device::State& state) {
   VkSemaphoreTypeCreateInfo type{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO, nullptr, VK_SEMAPHORE_TYPE_TIMELINE, 0};
   VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &type};
-  VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, nullptr, VK_COMMAND_POOL_CREATE_TRANSIENT_BIT, state.family};
+  VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, nullptr,
+                               VK_COMMAND_POOL_CREATE_TRANSIENT_BIT, state.family};
   VkResult result = vkCreateSemaphore(state.device, &semaphore, nullptr, &state.timeline);
   if (!result) result = vkCreateCommandPool(state.device, &pool, nullptr, &state.oneShotPool);
   for (auto& slot : state.slots) {
     if (!result) result = vkCreateCommandPool(state.device, &pool, nullptr, &slot.pool);
-    VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, slot.pool, VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
+    VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, slot.pool,
+                                         VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
     if (!result) result = vkAllocateCommandBuffers(state.device, &commands, &slot.commands);
   }
   if (result) return vkFailed("Vulkan: no frame objects", result);

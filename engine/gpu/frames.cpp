@@ -42,14 +42,16 @@ void Device::State::retire(std::unique_ptr<Resource> resource) {
 void Device::State::collect() {
   if (oneShots > 0 || retired.empty()) return;
   const std::uint64_t finished = finishedFrames();
-  const auto done = std::partition(retired.begin(), retired.end(), [&](const Retired& r) { return r.frame > finished; });
+  const auto done =
+      std::partition(retired.begin(), retired.end(), [&](const Retired& r) { return r.frame > finished; });
   retired.erase(done, retired.end());
 }
 
 Result<void> Device::submitAndWait(const std::function<void(VkCommandBuffer)>& record) {
   State& s = *state_;
   VkCommandBuffer commands = VK_NULL_HANDLE;
-  VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, s.oneShotPool, VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
+  VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, s.oneShotPool,
+                                       VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
   if (const VkResult result = vkAllocateCommandBuffers(s.device, &allocate, &commands))
     return vkFailed("Vulkan: no command buffer", result);
   VkFenceCreateInfo fenceInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
@@ -79,7 +81,8 @@ Result<VkCommandBuffer> Device::beginFrame() {
   State::Slot& slot = s.slots[s.submitted % s.slots.size()];
   if (auto waited = s.waitForFrame(slot.frame); !waited) return waited.error();
   s.collect();
-  if (const VkResult result = vkResetCommandPool(s.device, slot.pool, 0)) return vkFailed("Vulkan: command pool", result);
+  if (const VkResult result = vkResetCommandPool(s.device, slot.pool, 0))
+    return vkFailed("Vulkan: command pool", result);
   if (const VkResult result = begin(slot.commands)) return vkFailed("Vulkan: command buffer", result);
   s.recording = true;
   return slot.commands;
@@ -112,7 +115,8 @@ Result<void> Device::endFrame(const FrameSignals& signals) {
 std::uint64_t Device::submittedFrames() const { return state_->submitted; }
 
 Result<void> Device::waitIdle() {
-  if (const VkResult result = vkDeviceWaitIdle(state_->device)) return vkFailed("Vulkan: waiting for the device", result);
+  if (const VkResult result = vkDeviceWaitIdle(state_->device))
+    return vkFailed("Vulkan: waiting for the device", result);
   state_->collect();
   return {};
 }

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include <glslang/SPIRV/GlslangToSpv.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
 
 #include "base/file.hpp"
 #include "gpu/shader.hpp"
@@ -66,11 +66,18 @@ std::string complaints(const fs::path& source, const std::string& log) {
 
 }  // namespace
 
-Result<std::vector<std::uint32_t>> compileGlsl(const fs::path& source, const std::string& stage, const std::vector<fs::path>& includes) {
-  struct Stage { const char* name; EShLanguage language; };
-  constexpr Stage kStages[] = {{"comp", EShLangCompute}, {"vert", EShLangVertex}, {"frag", EShLangFragment}, {"geom", EShLangGeometry}};
-  const auto* known = std::find_if(std::begin(kStages), std::end(kStages), [&](const Stage& s) { return stage == s.name; });
-  if (known == std::end(kStages)) return failed(source.string() + ": no shader stage is called '" + stage + "'; comp, vert, frag or geom");
+Result<std::vector<std::uint32_t>> compileGlsl(const fs::path& source, const std::string& stage,
+                                               const std::vector<fs::path>& includes) {
+  struct Stage {
+    const char* name;
+    EShLanguage language;
+  };
+  constexpr Stage kStages[] = {
+      {"comp", EShLangCompute}, {"vert", EShLangVertex}, {"frag", EShLangFragment}, {"geom", EShLangGeometry}};
+  const auto* known =
+      std::find_if(std::begin(kStages), std::end(kStages), [&](const Stage& s) { return stage == s.name; });
+  if (known == std::end(kStages))
+    return failed(source.string() + ": no shader stage is called '" + stage + "'; comp, vert, frag or geom");
   const auto text = readText(source);
   if (!text) return text.error();
 
@@ -87,7 +94,8 @@ Result<std::vector<std::uint32_t>> compileGlsl(const fs::path& source, const std
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
   constexpr auto kRules = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
   Includer includer(source, includes);
-  if (!shader.parse(GetDefaultResources(), 100, false, kRules, includer)) return failed(complaints(source, shader.getInfoLog()));
+  if (!shader.parse(GetDefaultResources(), 100, false, kRules, includer))
+    return failed(complaints(source, shader.getInfoLog()));
   glslang::TProgram program;
   program.addShader(&shader);
   if (!program.link(kRules)) return failed(complaints(source, program.getInfoLog()));

@@ -15,9 +15,10 @@ Result<Pipeline> createPipeline(Device& device, const GraphicsPipelineDesc& desc
   (*state)->bindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
 
   Stages stages(device.state(), desc.specialization);
-  const std::pair<VkShaderStageFlagBits, const Shader*> shaders[] = {{VK_SHADER_STAGE_VERTEX_BIT, desc.vertex.get()},
-                                                                     {VK_SHADER_STAGE_GEOMETRY_BIT, desc.geometry.get()},
-                                                                     {VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment.get()}};
+  const std::pair<VkShaderStageFlagBits, const Shader*> shaders[] = {
+      {VK_SHADER_STAGE_VERTEX_BIT, desc.vertex.get()},
+      {VK_SHADER_STAGE_GEOMETRY_BIT, desc.geometry.get()},
+      {VK_SHADER_STAGE_FRAGMENT_BIT, desc.fragment.get()}};
   for (const auto& [stage, shader] : shaders) {
     if (!shader) continue;
     if (auto added = stages.add(stage, *shader); !added) return added.error();
@@ -50,7 +51,8 @@ Result<Pipeline> createPipeline(Device& device, const GraphicsPipelineDesc& desc
   std::vector<VkFormat> formats;
   std::vector<VkPipelineColorBlendAttachmentState> targets;
   for (const ColorTarget& color : desc.colors) {
-    constexpr VkColorComponentFlags kAll = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+    constexpr VkColorComponentFlags kAll =
+        VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
     formats.push_back(color.format);
     targets.push_back({color.blend, color.sourceFactor, color.destinationFactor, color.op, color.sourceAlphaFactor,
                        color.destinationAlphaFactor, color.op, kAll});
@@ -79,7 +81,8 @@ Result<Pipeline> createPipeline(Device& device, const GraphicsPipelineDesc& desc
   info.pColorBlendState = &blend;
   info.pDynamicState = &dynamic;
   info.layout = (*state)->layout;
-  if (const VkResult result = vkCreateGraphicsPipelines(device.handle(), device.pipelineCache(), 1, &info, nullptr, &(*state)->pipeline)) {
+  if (const VkResult result =
+          vkCreateGraphicsPipelines(device.handle(), device.pipelineCache(), 1, &info, nullptr, &(*state)->pipeline)) {
     (*state)->pipeline = VK_NULL_HANDLE;
     return vkFailed(subject, result);
   }

@@ -32,10 +32,11 @@ std::string sizeText(const ImageDesc& d) {
 /// Refuses what vkCreateImage must not be asked for.
 Result<void> check(VkPhysicalDevice physical, const ImageDesc& d) {
   const std::string subject = "image '" + d.name + "' (" + sizeText(d) + "): ";
-  if (d.width == 0 || d.height == 0 || d.depth == 0 || d.layers == 0 || d.mips == 0) return failed(subject + "a size of 0");
+  if (d.width == 0 || d.height == 0 || d.depth == 0 || d.layers == 0 || d.mips == 0)
+    return failed(subject + "a size of 0");
   VkImageFormatProperties limits{};
-  const VkResult result =
-      vkGetPhysicalDeviceImageFormatProperties(physical, d.format, d.type, VK_IMAGE_TILING_OPTIMAL, d.usage, 0, &limits);
+  const VkResult result = vkGetPhysicalDeviceImageFormatProperties(physical, d.format, d.type, VK_IMAGE_TILING_OPTIMAL,
+                                                                   d.usage, 0, &limits);
   if (result)
     return vkFailed(subject + "format " + std::to_string(d.format) + " with usage " + std::to_string(d.usage), result);
   const VkExtent3D most = limits.maxExtent;
@@ -46,7 +47,8 @@ Result<void> check(VkPhysicalDevice physical, const ImageDesc& d) {
     return failed(subject + "this device takes at most " + std::to_string(limits.maxArrayLayers) + " layers");
   const double bytes = static_cast<double>(d.width) * d.height * d.depth * d.layers * texelBytes(d.format);
   if (bytes > static_cast<double>(limits.maxResourceSize))
-    return failed(subject + "too large; this device takes images of at most " + std::to_string(limits.maxResourceSize) + " bytes");
+    return failed(subject + "too large; this device takes images of at most " + std::to_string(limits.maxResourceSize) +
+                  " bytes");
   const std::uint32_t longest = std::max({d.width, d.height, d.depth});
   if (d.mips > limits.maxMipLevels || (d.mips > 1 && longest >> (d.mips - 1) == 0))
     return failed(subject + "too many mips for its size");
@@ -109,7 +111,8 @@ VkImageView Image::view(const ViewDesc& desc) const {
   }
   // A view that is sampled has one aspect; of depth and stencil the engine samples depth.
   const VkImageAspectFlags aspects = aspect();
-  info.subresourceRange.aspectMask = (aspects & VK_IMAGE_ASPECT_DEPTH_BIT) ? static_cast<VkImageAspectFlags>(VK_IMAGE_ASPECT_DEPTH_BIT) : aspects;
+  info.subresourceRange.aspectMask =
+      (aspects & VK_IMAGE_ASPECT_DEPTH_BIT) ? static_cast<VkImageAspectFlags>(VK_IMAGE_ASPECT_DEPTH_BIT) : aspects;
   info.subresourceRange.baseMipLevel = full.baseMip;
   info.subresourceRange.levelCount = full.mipCount;
   info.subresourceRange.baseArrayLayer = full.baseLayer;
@@ -157,7 +160,8 @@ Result<Image> Device::createImage(const ImageDesc& desc) { return createImageAt(
 VkMemoryRequirements Device::requirements(const ImageDesc& desc) {
   if (!check(state_->physical, desc)) return {};
   const VkImageCreateInfo info = createInfo(desc);
-  VkDeviceImageMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS, nullptr, &info, VK_IMAGE_ASPECT_NONE};
+  VkDeviceImageMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS, nullptr, &info,
+                                        VK_IMAGE_ASPECT_NONE};
   VkMemoryRequirements2 needs{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
   vkGetDeviceImageMemoryRequirements(state_->device, &query, &needs);
   return state_->allocator->rounded(needs.memoryRequirements);

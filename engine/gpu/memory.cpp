@@ -40,7 +40,8 @@ VkMemoryRequirements Allocator::rounded(VkMemoryRequirements requirements) const
 }
 
 std::uint32_t Allocator::blockCount() const {
-  return static_cast<std::uint32_t>(std::count_if(blocks_.begin(), blocks_.end(), [](const auto& b) { return b != nullptr; }));
+  return static_cast<std::uint32_t>(
+      std::count_if(blocks_.begin(), blocks_.end(), [](const auto& b) { return b != nullptr; }));
 }
 
 bool Allocator::fits(const Allocation& allocation, std::uint32_t typeBits) const {
@@ -83,7 +84,8 @@ VkDeviceSize Allocator::blockBytes(std::uint32_t type) const {
 VkResult Allocator::addBlock(std::uint32_t type, VkDeviceSize size, bool own, std::uint32_t& index) {
   const std::uint32_t heap = memory_.memoryTypes[type].heapIndex;
   // A driver for a CPU grants more than there is and the program dies later, so the heap's size is held to here.
-  if (size > largest_ || size > memory_.memoryHeaps[heap].size - std::min(heapBytes_[heap], memory_.memoryHeaps[heap].size))
+  if (size > largest_ ||
+      size > memory_.memoryHeaps[heap].size - std::min(heapBytes_[heap], memory_.memoryHeaps[heap].size))
     return VK_ERROR_OUT_OF_DEVICE_MEMORY;
   VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, nullptr, size, type};
   auto block = std::make_unique<Block>();
@@ -102,8 +104,10 @@ VkResult Allocator::addBlock(std::uint32_t type, VkDeviceSize size, bool own, st
   heapBytes_[heap] += size;
   const auto hole = std::find(blocks_.begin(), blocks_.end(), nullptr);
   index = static_cast<std::uint32_t>(hole - blocks_.begin());
-  if (hole == blocks_.end()) blocks_.push_back(std::move(block));
-  else *hole = std::move(block);
+  if (hole == blocks_.end())
+    blocks_.push_back(std::move(block));
+  else
+    *hole = std::move(block);
   return VK_SUCCESS;
 }
 
@@ -151,7 +155,8 @@ Result<std::shared_ptr<Allocation>> Allocator::allocate(const VkMemoryRequiremen
     std::uint32_t index = 0;
     result = addBlock(type, own ? size : blockBytes(type), own, index);
     if (result != VK_SUCCESS) continue;
-    if (type != types.front()) log::debug("'" + name + "': the preferred memory is full, using memory type " + std::to_string(type));
+    if (type != types.front())
+      log::debug("'" + name + "': the preferred memory is full, using memory type " + std::to_string(type));
     return take(index, *blocks_[index]->ranges.allocate(size, alignment), size);
   }
   return failed("'" + name + "': no memory for " + std::to_string(size) + " bytes (" + text(result) + "), " +

@@ -27,14 +27,15 @@ VkPipelineLayout Pipeline::layout() const { return state_->layout; }
 VkPipelineBindPoint Pipeline::bindPoint() const { return state_->bindPoint; }
 
 Result<std::unique_ptr<Pipeline::State>> makeLayouts(Device::State& device, const std::string& name,
-                                                     const std::vector<Binding>& bindings, std::uint32_t pushConstantBytes,
-                                                     VkShaderStageFlags stages) {
+                                                     const std::vector<Binding>& bindings,
+                                                     std::uint32_t pushConstantBytes, VkShaderStageFlags stages) {
   const std::string subject = "pipeline '" + name + "'";
   if (bindings.size() > device.info.maxPushDescriptors)
     return failed(subject + ": " + std::to_string(bindings.size()) + " bindings; this device takes at most " +
                   std::to_string(device.info.maxPushDescriptors));
   if (pushConstantBytes > device.info.limits.maxPushConstantsSize || pushConstantBytes % 4 != 0)
-    return failed(subject + ": " + std::to_string(pushConstantBytes) + " bytes of push constants; this device takes at most " +
+    return failed(subject + ": " + std::to_string(pushConstantBytes) +
+                  " bytes of push constants; this device takes at most " +
                   std::to_string(device.info.limits.maxPushConstantsSize) + ", a multiple of 4");
   auto state = std::make_unique<Pipeline::State>(device, name);
   std::vector<VkDescriptorSetLayoutBinding> slots;
@@ -54,9 +55,12 @@ Result<std::unique_ptr<Pipeline::State>> makeLayouts(Device::State& device, cons
   return state;
 }
 
-Stages::Stages(Device::State& device, const std::vector<Specialization>& specialization) : device_(device), values_(specialization) {
+Stages::Stages(Device::State& device, const std::vector<Specialization>& specialization)
+    : device_(device), values_(specialization) {
   for (std::size_t i = 0; i < values_.size(); ++i)
-    entries_.push_back({values_[i].id, static_cast<std::uint32_t>(i * sizeof(Specialization) + offsetof(Specialization, value)), sizeof(std::uint32_t)});
+    entries_.push_back({values_[i].id,
+                        static_cast<std::uint32_t>(i * sizeof(Specialization) + offsetof(Specialization, value)),
+                        sizeof(std::uint32_t)});
   specialization_.mapEntryCount = static_cast<std::uint32_t>(entries_.size());
   specialization_.pMapEntries = entries_.data();
   specialization_.dataSize = values_.size() * sizeof(Specialization);
@@ -83,14 +87,16 @@ Result<void> Stages::add(VkShaderStageFlagBits stage, const Shader& shader) {
 
 Result<Pipeline> createPipeline(Device& device, const ComputePipelineDesc& desc) {
   TY_ASSERT(desc.shader, "pipeline '" + desc.name + "' has no shader");
-  auto state = makeLayouts(device.state(), desc.name, desc.bindings, desc.pushConstantBytes, VK_SHADER_STAGE_COMPUTE_BIT);
+  auto state =
+      makeLayouts(device.state(), desc.name, desc.bindings, desc.pushConstantBytes, VK_SHADER_STAGE_COMPUTE_BIT);
   if (!state) return state.error();
   Stages stages(device.state(), desc.specialization);
   if (auto added = stages.add(VK_SHADER_STAGE_COMPUTE_BIT, *desc.shader); !added) return added.error();
   VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
   info.stage = stages.infos().front();
   info.layout = (*state)->layout;
-  if (const VkResult result = vkCreateComputePipelines(device.handle(), device.pipelineCache(), 1, &info, nullptr, &(*state)->pipeline)) {
+  if (const VkResult result =
+          vkCreateComputePipelines(device.handle(), device.pipelineCache(), 1, &info, nullptr, &(*state)->pipeline)) {
     (*state)->pipeline = VK_NULL_HANDLE;
     return vkFailed("pipeline '" + desc.name + "'", result);
   }

@@ -58,8 +58,10 @@ void openPipelineCache(Device::State& state, const VkPhysicalDeviceProperties& p
   if (!state.pipelineCacheFile.empty() && std::filesystem::exists(state.pipelineCacheFile, none)) {
     const auto file = readFile(state.pipelineCacheFile);
     auto data = file ? unpackCache(*file) : std::nullopt;
-    if (data) state.pipelineCacheRead = std::move(*data);
-    else log::debug("pipeline cache: " + state.pipelineCacheFile.string() + " is damaged, starting anew");
+    if (data)
+      state.pipelineCacheRead = std::move(*data);
+    else
+      log::debug("pipeline cache: " + state.pipelineCacheFile.string() + " is damaged, starting anew");
   }
   VkPipelineCacheCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
   info.initialDataSize = state.pipelineCacheRead.size(), info.pInitialData = state.pipelineCacheRead.data();

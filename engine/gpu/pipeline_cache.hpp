@@ -1,5 +1,5 @@
-// The pipeline cache's file: one per device and driver, with a checksum of its own, since drivers differ in how well they
-// survive a damaged cache.
+// The pipeline cache's file: one per device and driver, with a checksum of its own, since drivers differ in how well
+// they survive a damaged cache.
 #pragma once
 
 #include <cstddef>

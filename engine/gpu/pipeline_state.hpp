@@ -17,8 +17,8 @@ struct Pipeline::State : Resource {
 
 /// The state with its layouts: bindings for `stages`, push constants for all.
 Result<std::unique_ptr<Pipeline::State>> makeLayouts(Device::State& device, const std::string& name,
-                                                     const std::vector<Binding>& bindings, std::uint32_t pushConstantBytes,
-                                                     VkShaderStageFlags stages);
+                                                     const std::vector<Binding>& bindings,
+                                                     std::uint32_t pushConstantBytes, VkShaderStageFlags stages);
 
 /// Shader modules and specialization of one pipeline's creation; the modules go with it.
 class Stages {

@@ -19,7 +19,8 @@ Result<std::vector<std::uint32_t>> readSpirv(const fs::path& file) {
   const auto bytes = readFile(file, kMostBytes);
   if (!bytes) return bytes.error();
   std::vector<std::uint32_t> code(bytes->size() / sizeof(std::uint32_t));
-  if (bytes->size() % sizeof(std::uint32_t) != 0 || code.size() < kSpirvHeaderWords) return failed(file.string() + ": not SPIR-V (its size)");
+  if (bytes->size() % sizeof(std::uint32_t) != 0 || code.size() < kSpirvHeaderWords)
+    return failed(file.string() + ": not SPIR-V (its size)");
   std::memcpy(code.data(), bytes->data(), bytes->size());
   if (code[0] != kSpirvMagic) return failed(file.string() + ": not SPIR-V (its first word)");
   return code;
@@ -30,8 +31,8 @@ Result<std::vector<std::uint32_t>> readSpirv(const fs::path& file) {
 struct ShaderFolder::Entry {
   std::shared_ptr<const Shader> shader;
   std::optional<ShaderSource> source;
-  std::vector<fs::path> files;     ///< that the code was made from
-  std::uint64_t fingerprint = 0;   ///< of the files when the code was made; 0: the files are newer than it
+  std::vector<fs::path> files;    ///< that the code was made from
+  std::uint64_t fingerprint = 0;  ///< of the files when the code was made; 0: the files are newer than it
 };
 
 ShaderFolder::ShaderFolder(fs::path folder) : folder_(std::move(folder)) {}

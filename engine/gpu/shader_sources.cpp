@@ -39,8 +39,11 @@ std::optional<ShaderSource> readShaderSource(const fs::path& json) {
   if (!text) return std::nullopt;
   const auto parsed = nlohmann::json::parse(*text, nullptr, false);
   if (!parsed.is_object()) return std::nullopt;
-  const auto string = [](const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : std::string(); };
-  ShaderSource source{string(parsed.value("source", nlohmann::json())), string(parsed.value("stage", nlohmann::json())), {}};
+  const auto string = [](const nlohmann::json& value) {
+    return value.is_string() ? value.get<std::string>() : std::string();
+  };
+  ShaderSource source{
+      string(parsed.value("source", nlohmann::json())), string(parsed.value("stage", nlohmann::json())), {}};
   for (const auto& folder : parsed.value("includes", nlohmann::json::array()))
     if (folder.is_string()) source.includes.emplace_back(folder.get<std::string>());
   if (!fs::is_regular_file(source.source, none)) return std::nullopt;

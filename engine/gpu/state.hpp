@@ -121,7 +121,8 @@ struct Choice {
   VkPhysicalDevice physical = VK_NULL_HANDLE;
   std::uint32_t family = 0;
 };
-constexpr const char* kNoDriver = "Vulkan: there is no device; install a driver (package mesa-vulkan-drivers has one for the CPU)";
+constexpr const char* kNoDriver =
+    "Vulkan: there is no device; install a driver (package mesa-vulkan-drivers has one for the CPU)";
 Result<Choice> chooseDevice(VkInstance instance, const DeviceOptions& options);
 /// Places in `names` that `wanted` means: an index, else part of a name in any case; all of them if it is empty.
 std::vector<std::size_t> matchingDevices(const std::vector<std::string>& names, const std::string& wanted);
@@ -136,7 +137,10 @@ struct Features {
   Features();
   Features(const Features&) = delete;
   Features& operator=(const Features&) = delete;
-  struct Named { const char* name; VkBool32* flag; };
+  struct Named {
+    const char* name;
+    VkBool32* flag;
+  };
   std::vector<Named> required(), optional();
 };
 

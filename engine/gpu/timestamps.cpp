@@ -38,7 +38,8 @@ Result<Timestamps> Timestamps::create(Device& device, std::uint32_t capacity) {
   VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
   info.queryCount = capacity + 1;
-  if (const VkResult result = vkCreateQueryPool(owner.device, &info, nullptr, &made.state_->pool)) return vkFailed("timestamps", result);
+  if (const VkResult result = vkCreateQueryPool(owner.device, &info, nullptr, &made.state_->pool))
+    return vkFailed("timestamps", result);
   owner.name(VK_OBJECT_TYPE_QUERY_POOL, made.state_->pool, "timestamps");
   return made;
 }
@@ -61,15 +62,17 @@ void Timestamps::mark(VkCommandBuffer commands) {
 std::vector<double> Timestamps::milliseconds() const {
   if (state_->written < 2) return {};
   std::vector<std::uint64_t> ticks(state_->written);
-  const VkResult result = vkGetQueryPoolResults(state_->device.device, state_->pool, 0, state_->written, ticks.size() * sizeof(std::uint64_t),
-                                                ticks.data(), sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT);
+  const VkResult result = vkGetQueryPoolResults(state_->device.device, state_->pool, 0, state_->written,
+                                                ticks.size() * sizeof(std::uint64_t), ticks.data(),
+                                                sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT);
   TY_ASSERT(result == VK_SUCCESS, "timestamps were asked for before their frame was finished: " + text(result));
   // The counter has timestampBits and wraps; a difference of two is right in that many bits.
   const std::uint32_t bits = state_->device.timestampBits;
   const std::uint64_t mask = bits >= 64 ? ~0ull : (1ull << bits) - 1;
   std::vector<double> spans;
   for (std::size_t i = 1; i < ticks.size(); ++i)
-    spans.push_back(static_cast<double>((ticks[i] - ticks[i - 1]) & mask) * state_->device.info.timestampPeriodNs * 1e-6);
+    spans.push_back(static_cast<double>((ticks[i] - ticks[i - 1]) & mask) * state_->device.info.timestampPeriodNs *
+                    1e-6);
   return spans;
 }
 

@@ -39,8 +39,13 @@ struct Subresource {
 
 Subresource subresource(const Image& image, std::uint32_t mip, std::uint32_t layer) {
   const ImageDesc& d = image.desc();
-  TY_ASSERT(mip < d.mips && layer < d.layers, "image '" + d.name + "' has no mip " + std::to_string(mip) + " of layer " + std::to_string(layer));
-  Subresource part{mip, layer, image.aspect(), {std::max(1u, d.width >> mip), std::max(1u, d.height >> mip), std::max(1u, d.depth >> mip)}, texelBytes(d.format)};
+  TY_ASSERT(mip < d.mips && layer < d.layers,
+            "image '" + d.name + "' has no mip " + std::to_string(mip) + " of layer " + std::to_string(layer));
+  Subresource part{mip,
+                   layer,
+                   image.aspect(),
+                   {std::max(1u, d.width >> mip), std::max(1u, d.height >> mip), std::max(1u, d.depth >> mip)},
+                   texelBytes(d.format)};
   TY_ASSERT(part.texel > 0, "image '" + d.name + "': no copies of format " + std::to_string(d.format));
   return part;
 }
@@ -90,18 +95,23 @@ std::vector<Piece> pieces(const Subresource& part, VkDeviceSize room) {
 Result<void> Device::upload(Image& image, std::span<const std::byte> texels, std::uint32_t mip, std::uint32_t layer) {
   const ImageDesc& desc = image.desc();
   const Subresource part = subresource(image, mip, layer);
-  TY_ASSERT(texels.size() == part.bytes(), "image '" + desc.name + "': " + std::to_string(texels.size()) + " bytes given for " + std::to_string(part.bytes()));
+  TY_ASSERT(texels.size() == part.bytes(), "image '" + desc.name + "': " + std::to_string(texels.size()) +
+                                               " bytes given for " + std::to_string(part.bytes()));
   TY_ASSERT(desc.usage & VK_IMAGE_USAGE_TRANSFER_DST_BIT, "image '" + desc.name + "' takes no copies");
-  auto buffer = staging(*this, state_->uploadStaging, true, std::min(part.bytes(), std::max(kStagingBytes, part.rowBytes())));
+  auto buffer =
+      staging(*this, state_->uploadStaging, true, std::min(part.bytes(), std::max(kStagingBytes, part.rowBytes())));
   if (!buffer) return buffer.error();
-  const VkImageLayout after = desc.usage & VK_IMAGE_USAGE_SAMPLED_BIT ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_GENERAL;
+  const VkImageLayout after =
+      desc.usage & VK_IMAGE_USAGE_SAMPLED_BIT ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_GENERAL;
   const auto list = pieces(part, (*buffer)->size());
   for (const Piece& piece : list) {
     std::memcpy((*buffer)->mapped(), texels.data() + piece.offset, piece.bytes);
     auto done = submitAndWait([&](VkCommandBuffer commands) {
       // From UNDEFINED: every texel is overwritten, whatever layout the image was in.
-      if (&piece == &list.front()) barrier(commands, image.handle(), part, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-      vkCmdCopyBufferToImage(commands, (*buffer)->handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &piece.copy);
+      if (&piece == &list.front())
+        barrier(commands, image.handle(), part, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+      vkCmdCopyBufferToImage(commands, (*buffer)->handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                             &piece.copy);
       if (&piece == &list.back()) barrier(commands, image.handle(), part, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, after);
     });
     if (!done) return done;
@@ -109,17 +119,21 @@ Result<void> Device::upload(Image& image, std::span<const std::byte> texels, std
   return {};
 }
 
-Result<std::vector<std::byte>> Device::readback(const Image& image, VkImageLayout layout, std::uint32_t mip, std::uint32_t layer) {
+Result<std::vector<std::byte>> Device::readback(const Image& image, VkImageLayout layout, std::uint32_t mip,
+                                                std::uint32_t layer) {
   const Subresource part = subresource(image, mip, layer);
   TY_ASSERT(image.desc().usage & VK_IMAGE_USAGE_TRANSFER_SRC_BIT, "image '" + image.desc().name + "' gives no copies");
-  auto buffer = staging(*this, state_->readbackStaging, false, std::min(part.bytes(), std::max(kStagingBytes, part.rowBytes())));
+  auto buffer =
+      staging(*this, state_->readbackStaging, false, std::min(part.bytes(), std::max(kStagingBytes, part.rowBytes())));
   if (!buffer) return buffer.error();
   std::vector<std::byte> texels(part.bytes());
   const auto list = pieces(part, (*buffer)->size());
   for (const Piece& piece : list) {
     auto done = submitAndWait([&](VkCommandBuffer commands) {
-      if (&piece == &list.front()) barrier(commands, image.handle(), part, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-      vkCmdCopyImageToBuffer(commands, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, (*buffer)->handle(), 1, &piece.copy);
+      if (&piece == &list.front())
+        barrier(commands, image.handle(), part, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+      vkCmdCopyImageToBuffer(commands, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, (*buffer)->handle(), 1,
+                             &piece.copy);
       if (&piece == &list.back()) barrier(commands, image.handle(), part, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout);
       fullBarrier(commands);
     });
@@ -131,7 +145,9 @@ Result<std::vector<std::byte>> Device::readback(const Image& image, VkImageLayou
 
 Result<void> Device::upload(Buffer& buffer, std::span<const std::byte> bytes, VkDeviceSize offset) {
   const BufferDesc& desc = buffer.state_->desc;
-  TY_ASSERT(offset <= desc.size && bytes.size() <= desc.size - offset, "buffer '" + desc.name + "': " + std::to_string(bytes.size()) + " bytes given at " + std::to_string(offset));
+  TY_ASSERT(
+      offset <= desc.size && bytes.size() <= desc.size - offset,
+      "buffer '" + desc.name + "': " + std::to_string(bytes.size()) + " bytes given at " + std::to_string(offset));
   if (bytes.empty()) return {};
   if (!(desc.usage & VK_BUFFER_USAGE_TRANSFER_DST_BIT)) {
     TY_ASSERT(buffer.mapped(), "buffer '" + desc.name + "' takes no copies");

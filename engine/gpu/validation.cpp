@@ -10,14 +10,17 @@ namespace {
 // One mistake in a frame repeats every frame; the first lines tell the story.
 constexpr std::uint32_t kPrinted = 25;
 
-VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT,
+VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                         VkDebugUtilsMessageTypeFlagsEXT,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
   const std::uint32_t count = ++static_cast<ValidationLog*>(user)->messages;
   if (count > kPrinted) return VK_FALSE;
   std::string line = std::string("validation: ") + (data->pMessage ? data->pMessage : "(no text)");
   std::replace(line.begin(), line.end(), '\n', ' ');
-  if (severity & VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT) log::error(line);
-  else log::warning(line);
+  if (severity & VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT)
+    log::error(line);
+  else
+    log::warning(line);
   if (count == kPrinted) log::warning("validation: further messages are counted but not printed");
   return VK_FALSE;
 }

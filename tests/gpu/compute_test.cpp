@@ -22,17 +22,24 @@ TEST_F(GpuCompute, SquaresNumbers) {
   constexpr std::uint32_t kCount = 1000;
   std::vector<float> values(kCount);
   for (std::uint32_t i = 0; i < kCount; ++i) values[i] = static_cast<float>(i) * 0.25f - 100;
-  constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+  constexpr VkBufferUsageFlags kUsage =
+      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
   auto in = device->createBuffer({.name = "in", .size = kCount * 4, .usage = kUsage});
   auto out = device->createBuffer({.name = "out", .size = kCount * 4, .usage = kUsage});
   TY_EXPECT_OK(in);
   TY_EXPECT_OK(out);
   TY_EXPECT_OK(device->upload(*in, bytesOf(values)));
-  ComputePipelineDesc desc{.name = "square", .shader = compile("comp", kSquare), .bindings = {{0}, {1}}, .pushConstantBytes = 8,
+  ComputePipelineDesc desc{.name = "square",
+                           .shader = compile("comp", kSquare),
+                           .bindings = {{0}, {1}},
+                           .pushConstantBytes = 8,
                            .specialization = {{7, 5}, {8, 64}}};
   auto pipeline = createPipeline(*device, desc);
   TY_EXPECT_OK(pipeline);
-  struct { std::uint32_t count; float scale; } push{kCount, 2.0f};
+  struct {
+    std::uint32_t count;
+    float scale;
+  } push{kCount, 2.0f};
   TY_EXPECT_OK(device->submitAndWait([&](VkCommandBuffer commands) {
     vkCmdBindPipeline(commands, pipeline->bindPoint(), pipeline->handle());
     Descriptors(commands, *pipeline).storageBuffer(0, in->handle()).storageBuffer(1, out->handle()).push();
@@ -68,18 +75,26 @@ void main() {
   sum[1] = textureLod(source, vec2(1.0 / 13.0, 0.5 / 5.0), 0).r;  // between the first two texels of 13x5
 }
 )");
-  auto image = device->createImage({.name = "target", .format = VK_FORMAT_R32_SFLOAT, .width = 13, .height = 5,
+  auto image = device->createImage({.name = "target",
+                                    .format = VK_FORMAT_R32_SFLOAT,
+                                    .width = 13,
+                                    .height = 5,
                                     .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
-  auto uniform = device->createBuffer({.name = "step", .size = 4, .usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, .hostVisible = true});
-  auto sum = device->createBuffer({.name = "sum", .size = 8, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, .hostVisible = true});
+  auto uniform = device->createBuffer(
+      {.name = "step", .size = 4, .usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, .hostVisible = true});
+  auto sum = device->createBuffer(
+      {.name = "sum", .size = 8, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, .hostVisible = true});
   TY_EXPECT_OK(image);
   TY_EXPECT_OK(uniform);
   TY_EXPECT_OK(sum);
   TY_EXPECT_OK(device->upload(*uniform, bytesOf(std::vector<float>{100.0f})));
-  auto writer = createPipeline(*device, ComputePipelineDesc{.name = "write", .shader = write,
-      .bindings = {{0, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}, {1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}}});
-  auto reader = createPipeline(*device, ComputePipelineDesc{.name = "read", .shader = read,
-      .bindings = {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {1}}});
+  auto writer = createPipeline(*device, ComputePipelineDesc{.name = "write",
+                                                            .shader = write,
+                                                            .bindings = {{0, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE},
+                                                                         {1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}}});
+  auto reader = createPipeline(
+      *device, ComputePipelineDesc{
+                   .name = "read", .shader = read, .bindings = {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {1}}});
   TY_EXPECT_OK(writer);
   TY_EXPECT_OK(reader);
   VkSamplerCreateInfo linear{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};

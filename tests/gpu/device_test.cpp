@@ -115,21 +115,27 @@ TEST(GpuDevice, AMissingValidationLayerIsAnError) {
 class GpuValidation : public GpuTest {};
 
 TEST_F(GpuValidation, AWrongLayoutIsCounted) {
-  auto image = device->createImage({.name = "wrong", .format = VK_FORMAT_R8G8B8A8_UNORM, .width = 8, .height = 8,
+  auto image = device->createImage({.name = "wrong",
+                                    .format = VK_FORMAT_R8G8B8A8_UNORM,
+                                    .width = 8,
+                                    .height = 8,
                                     .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
   TY_EXPECT_OK(image);
   EXPECT_EQ(device->validationMessages(), 0u);
   TY_EXPECT_OK(device->submitAndWait([&](VkCommandBuffer commands) {
     transition(commands, *image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
-    transition(commands, *image, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_GENERAL);  // it is in GENERAL
+    transition(commands, *image, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+               VK_IMAGE_LAYOUT_GENERAL);  // it is in GENERAL
   }));
   EXPECT_GT(device->validationMessages(), 0u);
   expectedMessages = device->validationMessages();
 }
 
 TEST_F(GpuValidation, AMissingBarrierIsCounted) {
-  auto a = device->createBuffer({.name = "a", .size = 256, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
-  auto b = device->createBuffer({.name = "b", .size = 256, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+  auto a = device->createBuffer(
+      {.name = "a", .size = 256, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+  auto b = device->createBuffer(
+      {.name = "b", .size = 256, .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
   TY_EXPECT_OK(a);
   TY_EXPECT_OK(b);
   const VkBufferCopy copy{0, 0, 256};

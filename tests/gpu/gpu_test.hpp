@@ -24,7 +24,8 @@ class TempFolder {
  public:
   TempFolder() {
     static int count = 0;
-    path_ = std::filesystem::temp_directory_path() / ("tyndall-gpu-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+    path_ = std::filesystem::temp_directory_path() /
+            ("tyndall-gpu-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
     std::filesystem::create_directories(path_);
   }
   ~TempFolder() {
@@ -43,7 +44,9 @@ class TempFolder {
 
 inline std::shared_ptr<const Shader> compile(const std::string& stage, const std::string& text) {
   TempFolder folder;
-  auto code = compileGlsl(folder.write("test." + stage + ".glsl", "#version 460\n#extension GL_EXT_scalar_block_layout : require\n" + text), stage, {});
+  auto code = compileGlsl(
+      folder.write("test." + stage + ".glsl", "#version 460\n#extension GL_EXT_scalar_block_layout : require\n" + text),
+      stage, {});
   EXPECT_TRUE(code.ok()) << (code.ok() ? "" : code.error().message);
   if (!code) return nullptr;
   return std::make_shared<Shader>(Shader{"test." + stage, code.take(), 1});

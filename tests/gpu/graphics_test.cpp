@@ -11,10 +11,18 @@ class GpuGraphics : public GpuTest {
   void SetUp() override {
     GpuTest::SetUp();
     if (!device) return;
-    auto colorImage = device->createImage({.name = "color", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .width = kSize, .height = kSize,
-        .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
-    auto depthImage = device->createImage({.name = "depth", .format = VK_FORMAT_D32_SFLOAT, .width = kSize, .height = kSize,
-        .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    auto colorImage =
+        device->createImage({.name = "color",
+                             .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                             .width = kSize,
+                             .height = kSize,
+                             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    auto depthImage =
+        device->createImage({.name = "depth",
+                             .format = VK_FORMAT_D32_SFLOAT,
+                             .width = kSize,
+                             .height = kSize,
+                             .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     ASSERT_TRUE(colorImage.ok() && depthImage.ok());
     color = colorImage.take();
     depth = depthImage.take();
@@ -26,16 +34,25 @@ void main() {
   gl_Position = vec4(mix(box.xy, box.zw, corner), z, 1);
   outColour = colour;
 })");
-    flat = compile("frag", "layout(location = 0) in vec4 colour; layout(location = 0) out vec4 target; void main() { target = colour; }");
-    desc = {.name = "quad", .vertex = quad, .fragment = flat, .pushConstantBytes = 36, .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
-            .colors = {{VK_FORMAT_R32G32B32A32_SFLOAT}}, .depthFormat = VK_FORMAT_D32_SFLOAT};
+    flat = compile(
+        "frag",
+        "layout(location = 0) in vec4 colour; layout(location = 0) out vec4 target; void main() { target = colour; }");
+    desc = {.name = "quad",
+            .vertex = quad,
+            .fragment = flat,
+            .pushConstantBytes = 36,
+            .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
+            .colors = {{VK_FORMAT_R32G32B32A32_SFLOAT}},
+            .depthFormat = VK_FORMAT_D32_SFLOAT};
   }
   void TearDown() override {
     color = {};
     depth = {};
     GpuTest::TearDown();
   }
-  struct Quad { float box[4], colour[4], z; };
+  struct Quad {
+    float box[4], colour[4], z;
+  };
 
   /// Clears to (0.25, 0.5, 0.75, 1) and depth 0, then draws.
   std::vector<float> draw(const std::vector<std::pair<const Pipeline*, Quad>>& quads) {
@@ -117,8 +134,9 @@ TEST_F(GpuGraphics, DepthTestKeepsTheNearerAndClampKeepsWhatIsOutside) {
 }
 
 TEST_F(GpuGraphics, BlendsBySourceAlpha) {
-  desc.colors[0] = {VK_FORMAT_R32G32B32A32_SFLOAT, true, VK_BLEND_FACTOR_SRC_ALPHA, VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
-                    VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ZERO};
+  desc.colors[0] = {VK_FORMAT_R32G32B32A32_SFLOAT, true,
+                    VK_BLEND_FACTOR_SRC_ALPHA,     VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+                    VK_BLEND_FACTOR_ONE,           VK_BLEND_FACTOR_ZERO};
   auto pipeline = createPipeline(*device, desc);
   ASSERT_TRUE(pipeline.ok()) << pipeline.error().message;
   const auto texel = at(draw({{&*pipeline, {{-1, -1, 1, 1}, {1, 0, 0, 0.25f}, 0}}}), 8, 8);

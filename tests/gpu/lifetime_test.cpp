@@ -15,13 +15,15 @@ TEST_F(GpuLifetime, ResourcesMayGoWhileTheirFrameIsRecordedOrInFlight) {
   auto target = device->createBuffer({.name = "target", .size = 1 << 16, .usage = kBufferCopies});
   ASSERT_TRUE(target.ok());
   const VkDeviceSize start = device->allocatedBytes();
-  const auto shader = compile("comp", "layout(local_size_x = 1) in; layout(binding = 0) buffer B { uint n; }; void main() { n = 1; }");
+  const auto shader =
+      compile("comp", "layout(local_size_x = 1) in; layout(binding = 0) buffer B { uint n; }; void main() { n = 1; }");
   for (std::uint32_t frame = 0; frame < 6; ++frame) {
     auto commands = device->beginFrame();
     ASSERT_TRUE(commands.ok());
     auto pipeline = createPipeline(*device, ComputePipelineDesc{.name = "brief", .shader = shader, .bindings = {{0}}});
     auto written = device->createBuffer({.name = "written", .size = 16, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
-    auto image = device->createImage({.name = "brief", .format = VK_FORMAT_R8G8B8A8_UNORM, .width = 64, .height = 64, .usage = kImageCopies});
+    auto image = device->createImage(
+        {.name = "brief", .format = VK_FORMAT_R8G8B8A8_UNORM, .width = 64, .height = 64, .usage = kImageCopies});
     auto timestamps = Timestamps::create(*device, 1);
     ASSERT_TRUE(pipeline.ok() && written.ok() && image.ok() && timestamps.ok());
     timestamps->begin(*commands);
@@ -30,7 +32,8 @@ TEST_F(GpuLifetime, ResourcesMayGoWhileTheirFrameIsRecordedOrInFlight) {
     vkCmdDispatch(*commands, 1, 1, 1);
     transition(*commands, *image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     const VkBufferImageCopy copy{0, 0, 0, {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1}, {}, {64, 64, 1}};
-    vkCmdCopyImageToBuffer(*commands, image->handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target->handle(), 1, &copy);
+    vkCmdCopyImageToBuffer(*commands, image->handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target->handle(), 1,
+                           &copy);
     timestamps->mark(*commands);
     if (frame % 2) *image = Image();  // some before the submission, the rest after it, at the end of this block
     TY_EXPECT_OK(device->endFrame());
@@ -83,16 +86,24 @@ TEST_F(GpuLifetime, ChurnReturnsToTheStart) {
     std::vector<Buffer> buffers;
     for (int step = 0; step < 400; ++step) {
       if (random() % 2) {
-        auto made = device->createImage({.name = "churn", .format = VK_FORMAT_R8G8B8A8_UNORM, .width = 1 + random() % 700, .height = 1 + random() % 700, .usage = kImageCopies});
+        auto made = device->createImage({.name = "churn",
+                                         .format = VK_FORMAT_R8G8B8A8_UNORM,
+                                         .width = 1 + random() % 700,
+                                         .height = 1 + random() % 700,
+                                         .usage = kImageCopies});
         ASSERT_TRUE(made.ok()) << made.error().message;
         images.push_back(made.take());
       } else {
-        auto made = device->createBuffer({.name = "churn", .size = 1 + random() % 3000000, .usage = kBufferCopies, .hostVisible = random() % 2 == 0});
+        auto made = device->createBuffer({.name = "churn",
+                                          .size = 1 + random() % 3000000,
+                                          .usage = kBufferCopies,
+                                          .hostVisible = random() % 2 == 0});
         ASSERT_TRUE(made.ok()) << made.error().message;
         if (made->mapped()) std::memset(made->mapped(), 1, 1);
         buffers.push_back(made.take());
       }
-      if (images.size() > 30) images[random() % images.size()] = images[random() % 2] ? std::move(images.back()) : Image();
+      if (images.size() > 30)
+        images[random() % images.size()] = images[random() % 2] ? std::move(images.back()) : Image();
       if (images.size() > 30) std::erase_if(images, [&](const Image& image) { return !image || random() % 2; });
       if (buffers.size() > 30) std::erase_if(buffers, [&](const Buffer&) { return random() % 2 == 0; });
     }
@@ -126,9 +137,23 @@ TEST_F(GpuLifetime, AnAbsurdImageOrBufferIsRefusedInOneLine) {
       {.name = "wide", .format = VK_FORMAT_R8G8B8A8_UNORM, .width = 2'000'000'000, .height = 3, .usage = kImageCopies},
       {.name = "zero", .format = VK_FORMAT_R8G8B8A8_UNORM, .width = 0, .height = 3, .usage = kImageCopies},
       {.name = "mips", .format = VK_FORMAT_R8G8B8A8_UNORM, .width = 4, .height = 4, .mips = 9, .usage = kImageCopies},
-      {.name = "layers", .format = VK_FORMAT_R8G8B8A8_UNORM, .width = 4, .height = 4, .layers = 1u << 30, .usage = kImageCopies},
-      {.name = "format", .format = VK_FORMAT_R8G8B8A8_SRGB, .width = 4, .height = 4, .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT},
-      {.name = "heavy", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .width = most, .height = most, .layers = 512, .usage = kImageCopies}};
+      {.name = "layers",
+       .format = VK_FORMAT_R8G8B8A8_UNORM,
+       .width = 4,
+       .height = 4,
+       .layers = 1u << 30,
+       .usage = kImageCopies},
+      {.name = "format",
+       .format = VK_FORMAT_R8G8B8A8_SRGB,
+       .width = 4,
+       .height = 4,
+       .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT},
+      {.name = "heavy",
+       .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+       .width = most,
+       .height = most,
+       .layers = 512,
+       .usage = kImageCopies}};
   for (const ImageDesc& desc : absurd) {
     auto image = device->createImage(desc);
     ASSERT_FALSE(image.ok()) << desc.name;
@@ -151,8 +176,10 @@ TEST_F(GpuLifetime, WhenMemoryEndsThatIsAnErrorAndNotTheEnd) {
     std::string refusal;
     for (int i = 0; i < 20000 && refusal.empty(); ++i) {
       auto made = device->createBuffer({.name = "hog", .size = VkDeviceSize{1} << 28, .usage = kBufferCopies});
-      if (made) buffers.push_back(made.take());
-      else refusal = made.error().message;
+      if (made)
+        buffers.push_back(made.take());
+      else
+        refusal = made.error().message;
     }
     EXPECT_NE(refusal.find("'hog'"), std::string::npos) << refusal;
     EXPECT_NE(refusal.find("268435456 bytes"), std::string::npos) << refusal;
@@ -164,7 +191,8 @@ TEST_F(GpuLifetime, WhenMemoryEndsThatIsAnErrorAndNotTheEnd) {
 
 TEST_F(GpuLifetime, ImagesAndBuffersShareMemoryInTurn) {
   const VkDeviceSize start = device->allocatedBytes();
-  const ImageDesc imageDesc{.name = "shared image", .format = VK_FORMAT_R32_SFLOAT, .width = 65, .height = 33, .usage = kImageCopies};
+  const ImageDesc imageDesc{
+      .name = "shared image", .format = VK_FORMAT_R32_SFLOAT, .width = 65, .height = 33, .usage = kImageCopies};
   const BufferDesc bufferDesc{.name = "shared buffer", .size = 5000, .usage = kBufferCopies};
   auto needs = device->requirements(imageDesc);
   const auto bufferNeeds = device->requirements(bufferDesc);

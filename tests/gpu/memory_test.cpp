@@ -17,7 +17,8 @@ class GpuMemory : public GpuTest {
     allocator.reset();
     GpuTest::TearDown();
   }
-  std::shared_ptr<Allocation> take(VkDeviceSize size, MemoryUse use = MemoryUse::kDevice, VkDeviceSize alignment = 256) {
+  std::shared_ptr<Allocation> take(VkDeviceSize size, MemoryUse use = MemoryUse::kDevice,
+                                   VkDeviceSize alignment = 256) {
     auto made = allocator->allocate({size, alignment, ~0u}, use, "test");
     EXPECT_TRUE(made.ok()) << made.error().message;
     return made.ok() ? made.take() : nullptr;
@@ -54,7 +55,8 @@ TEST_F(GpuMemory, RangesDoNotOverlapAndChurnLeavesAtMostOneEmptyBlock) {
     }
     for (const auto& a : held)
       for (const auto& b : held)
-        ASSERT_TRUE(a == b || a->memory != b->memory || a->offset + a->size <= b->offset || b->offset + b->size <= a->offset);
+        ASSERT_TRUE(a == b || a->memory != b->memory || a->offset + a->size <= b->offset ||
+                    b->offset + b->size <= a->offset);
     VkDeviceSize sum = 0;
     for (const auto& a : held) sum += a->size;
     EXPECT_EQ(allocator->usedBytes(), sum);

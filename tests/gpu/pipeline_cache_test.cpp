@@ -20,7 +20,8 @@ class GpuPipelineCache : public testing::Test {
   void run() {
     auto device = Device::create({});
     ASSERT_TRUE(device.ok()) << device.error().message;
-    const auto shader = compile("comp", "layout(local_size_x = 1) in; layout(binding = 0) buffer B { uint n; }; void main() { n = 1; }");
+    const auto shader = compile(
+        "comp", "layout(local_size_x = 1) in; layout(binding = 0) buffer B { uint n; }; void main() { n = 1; }");
     auto pipeline = createPipeline(**device, ComputePipelineDesc{.name = "p", .shader = shader, .bindings = {{0}}});
     EXPECT_TRUE(pipeline.ok());
     EXPECT_NE((*device)->pipelineCache(), VkPipelineCache{});

@@ -10,11 +10,14 @@
 namespace tyndall::gpu {
 namespace {
 
-struct Taken { std::uint64_t offset, size; };
+struct Taken {
+  std::uint64_t offset, size;
+};
 
 bool fitsAnywhere(const std::vector<bool>& used, std::uint64_t size, std::uint64_t alignment) {
   for (std::uint64_t start = 0; start + size <= used.size(); start += alignment)
-    if (std::none_of(used.begin() + static_cast<std::ptrdiff_t>(start), used.begin() + static_cast<std::ptrdiff_t>(start + size), [](bool b) { return b; }))
+    if (std::none_of(used.begin() + static_cast<std::ptrdiff_t>(start),
+                     used.begin() + static_cast<std::ptrdiff_t>(start + size), [](bool b) { return b; }))
       return true;
   return false;
 }
@@ -31,8 +34,12 @@ TEST(RangeAllocator, AgreesWithAMapOfEveryByte) {
       if (taken.empty() || random() % 5 < 3) {
         const std::uint64_t size = 1 + random() % 90, alignment = 1ull << random() % 6;
         const auto offset = ranges.allocate(size, alignment);
-        ASSERT_EQ(offset.has_value(), fitsAnywhere(used, size, alignment)) << "size " << size << " alignment " << alignment;
-        if (!offset) { ++refused; continue; }
+        ASSERT_EQ(offset.has_value(), fitsAnywhere(used, size, alignment))
+            << "size " << size << " alignment " << alignment;
+        if (!offset) {
+          ++refused;
+          continue;
+        }
         ASSERT_EQ(*offset % alignment, 0u);
         ASSERT_LE(*offset + size, kSize);
         for (std::uint64_t i = *offset; i < *offset + size; ++i) {

@@ -22,13 +22,15 @@ struct BuiltShader {
   fs::path source;
   explicit BuiltShader(const std::string& text) {
     source = sources.write("a.comp.glsl", kHead + text);
-    std::ofstream(built.path() / "a.comp.spv.json") << "{ \"source\": \"" << source.string() << "\", \"stage\": \"comp\", \"includes\": [\""
-                                                    << includes.path().string() << "\"] }\n";
+    std::ofstream(built.path() / "a.comp.spv.json")
+        << "{ \"source\": \"" << source.string() << "\", \"stage\": \"comp\", \"includes\": [\""
+        << includes.path().string() << "\"] }\n";
   }
   void build() {
     auto code = compileGlsl(source, "comp", {includes.path()});
     ASSERT_TRUE(code.ok()) << code.error().message;
-    std::ofstream(built.path() / "a.comp.spv", std::ios::binary).write(reinterpret_cast<const char*>(code->data()), static_cast<std::streamsize>(code->size() * 4));
+    std::ofstream(built.path() / "a.comp.spv", std::ios::binary)
+        .write(reinterpret_cast<const char*>(code->data()), static_cast<std::streamsize>(code->size() * 4));
   }
 };
 
@@ -56,7 +58,8 @@ TEST(Shader, IncludesComeFromBesideTheIncluderThenFromTheFolders) {
   std::ofstream(sources.path() / "deep/two.glsl") << "float two() { return 2.0; }\n#include \"three.glsl\"\n";
   other.write("two.glsl", "#error the wrong two\n");
   other.write("three.glsl", "float three() { return 3.0; }\n");
-  const auto source = sources.write("main.comp.glsl", kHead + ("#include \"deep/one.glsl\"\n" + kBody) + "void main() { v = two() + three(); }\n");
+  const auto source = sources.write(
+      "main.comp.glsl", kHead + ("#include \"deep/one.glsl\"\n" + kBody) + "void main() { v = two() + three(); }\n");
   auto code = compileGlsl(source, "comp", {other.path()});
   EXPECT_TRUE(code.ok()) << code.error().message;
 }
@@ -69,7 +72,8 @@ TEST(Shader, ErrorsNameTheFileTheLineAndTheReasonInOneLine) {
   EXPECT_NE(code.error().message.find("wrong.comp.glsl:4"), std::string::npos) << code.error().message;
   EXPECT_NE(code.error().message.find("'nothing' : undeclared identifier"), std::string::npos) << code.error().message;
   EXPECT_EQ(code.error().message.find('\n'), std::string::npos) << code.error().message;
-  const auto lost = sources.write("lost.comp.glsl", kHead + std::string("#include \"not_there.glsl\"\n") + kBody + "void main() { v = 1; }\n");
+  const auto lost = sources.write(
+      "lost.comp.glsl", kHead + std::string("#include \"not_there.glsl\"\n") + kBody + "void main() { v = 1; }\n");
   auto include = compileGlsl(lost, "comp", {});
   ASSERT_FALSE(include.ok());
   EXPECT_NE(include.error().message.find("not_there.glsl"), std::string::npos) << include.error().message;

@@ -20,8 +20,11 @@ void main() {
 )";
 
 TEST_F(GpuTimestamps, MoreWorkTakesLongerAndTheSpansAddUp) {
-  auto buffer = device->createBuffer({.name = "work", .size = 64 * 64 * 4, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
-  auto pipeline = createPipeline(*device, ComputePipelineDesc{.name = "work", .shader = compile("comp", kWork), .bindings = {{0}}, .pushConstantBytes = 4});
+  auto buffer =
+      device->createBuffer({.name = "work", .size = 64 * 64 * 4, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+  auto pipeline = createPipeline(
+      *device,
+      ComputePipelineDesc{.name = "work", .shader = compile("comp", kWork), .bindings = {{0}}, .pushConstantBytes = 4});
   auto spans = Timestamps::create(*device, 3), whole = Timestamps::create(*device, 1);
   ASSERT_TRUE(buffer.ok() && pipeline.ok() && spans.ok() && whole.ok());
   EXPECT_EQ(spans->capacity(), 3u);
@@ -51,12 +54,17 @@ TEST_F(GpuTimestamps, MoreWorkTakesLongerAndTheSpansAddUp) {
 }
 
 TEST_F(GpuTimestamps, GraphicsPassesKeepTheirOwnTime) {
-  // On lavapipe a graphics pass's time lands on a later pass unless a barrier follows the timestamp: the dear pass comes
-  // between two cheap ones and must not lend them its time.
+  // On lavapipe a graphics pass's time lands on a later pass unless a barrier follows the timestamp: the dear pass
+  // comes between two cheap ones and must not lend them its time.
   constexpr std::uint32_t kSize = 128;
-  auto image = device->createImage({.name = "target", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .width = kSize, .height = kSize, .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
+  auto image = device->createImage({.name = "target",
+                                    .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                                    .width = kSize,
+                                    .height = kSize,
+                                    .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
   GraphicsPipelineDesc desc{.name = "dear", .pushConstantBytes = 4, .colors = {{VK_FORMAT_R32G32B32A32_SFLOAT}}};
-  desc.vertex = compile("vert", "void main() { gl_Position = vec4(gl_VertexIndex == 1 ? 3 : -1, gl_VertexIndex == 2 ? 3 : -1, 0, 1); }");
+  desc.vertex = compile(
+      "vert", "void main() { gl_Position = vec4(gl_VertexIndex == 1 ? 3 : -1, gl_VertexIndex == 2 ? 3 : -1, 0, 1); }");
   desc.fragment = compile("frag", R"(
 layout(push_constant, scalar) uniform Push { uint rounds; };
 layout(location = 0) out vec4 target;

@@ -16,14 +16,25 @@ class GpuTransfer : public GpuTest {
   std::mt19937 random_{7};
 };
 
-constexpr VkImageUsageFlags kCopies = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+constexpr VkImageUsageFlags kCopies =
+    VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
 
 TEST_F(GpuTransfer, EveryFormatOddSizesMipsAndLayersComeBack) {
-  const VkFormat formats[] = {VK_FORMAT_R8_UNORM, VK_FORMAT_R8G8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_R8G8B8A8_SRGB,
-                              VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_B10G11R11_UFLOAT_PACK32, VK_FORMAT_R16_UNORM,
-                              VK_FORMAT_R16G16_SFLOAT, VK_FORMAT_R16G16B16A16_UNORM, VK_FORMAT_R16G16B16A16_SFLOAT,
-                              VK_FORMAT_R32_SFLOAT, VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT,
-                              VK_FORMAT_R32G32B32A32_UINT, VK_FORMAT_D32_SFLOAT};
+  const VkFormat formats[] = {VK_FORMAT_R8_UNORM,
+                              VK_FORMAT_R8G8_UNORM,
+                              VK_FORMAT_R8G8B8A8_UNORM,
+                              VK_FORMAT_R8G8B8A8_SRGB,
+                              VK_FORMAT_A2B10G10R10_UNORM_PACK32,
+                              VK_FORMAT_B10G11R11_UFLOAT_PACK32,
+                              VK_FORMAT_R16_UNORM,
+                              VK_FORMAT_R16G16_SFLOAT,
+                              VK_FORMAT_R16G16B16A16_UNORM,
+                              VK_FORMAT_R16G16B16A16_SFLOAT,
+                              VK_FORMAT_R32_SFLOAT,
+                              VK_FORMAT_R32G32_SFLOAT,
+                              VK_FORMAT_R32G32B32A32_SFLOAT,
+                              VK_FORMAT_R32G32B32A32_UINT,
+                              VK_FORMAT_D32_SFLOAT};
   for (const VkFormat format : formats) {
     SCOPED_TRACE("format " + std::to_string(format));
     ImageDesc desc{.name = "odd", .format = format, .width = 37, .height = 5, .layers = 3, .mips = 6, .usage = kCopies};
@@ -48,8 +59,14 @@ TEST_F(GpuTransfer, EveryFormatOddSizesMipsAndLayersComeBack) {
 }
 
 TEST_F(GpuTransfer, SlicesOfA3DImageComeBack) {
-  ImageDesc desc{.name = "volume", .format = VK_FORMAT_R16G16B16A16_SFLOAT, .width = 9, .height = 7, .depth = 5, .mips = 2,
-                 .type = VK_IMAGE_TYPE_3D, .usage = kCopies};
+  ImageDesc desc{.name = "volume",
+                 .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                 .width = 9,
+                 .height = 7,
+                 .depth = 5,
+                 .mips = 2,
+                 .type = VK_IMAGE_TYPE_3D,
+                 .usage = kCopies};
   auto image = device->createImage(desc);
   ASSERT_TRUE(image.ok()) << image.error().message;
   const auto whole = noise(9 * 7 * 5 * 8), half = noise(4 * 3 * 2 * 8);
@@ -61,7 +78,8 @@ TEST_F(GpuTransfer, SlicesOfA3DImageComeBack) {
 
 TEST_F(GpuTransfer, MoreThanTheStagingBufferGoesInPieces) {
   constexpr std::uint32_t kWidth = 1531, kHeight = 1511;  // 37 MB, and no power of two
-  auto image = device->createImage({.name = "large", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .width = kWidth, .height = kHeight, .usage = kCopies});
+  auto image = device->createImage(
+      {.name = "large", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .width = kWidth, .height = kHeight, .usage = kCopies});
   ASSERT_TRUE(image.ok()) << image.error().message;
   const auto texels = noise(std::size_t{kWidth} * kHeight * 16);
   TY_EXPECT_OK(device->upload(*image, texels));
@@ -69,8 +87,13 @@ TEST_F(GpuTransfer, MoreThanTheStagingBufferGoesInPieces) {
   ASSERT_TRUE(back.ok());
   EXPECT_TRUE(*back == texels);
 
-  auto volume = device->createImage({.name = "large volume", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .width = 101, .height = 103, .depth = 110,
-                                     .type = VK_IMAGE_TYPE_3D, .usage = kCopies});  // 18 MB: whole slices, not all at once
+  auto volume = device->createImage({.name = "large volume",
+                                     .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                                     .width = 101,
+                                     .height = 103,
+                                     .depth = 110,
+                                     .type = VK_IMAGE_TYPE_3D,
+                                     .usage = kCopies});  // 18 MB: whole slices, not all at once
   ASSERT_TRUE(volume.ok()) << volume.error().message;
   const auto voxels = noise(std::size_t{101} * 103 * 110 * 16);
   TY_EXPECT_OK(device->upload(*volume, voxels));
@@ -78,7 +101,8 @@ TEST_F(GpuTransfer, MoreThanTheStagingBufferGoesInPieces) {
   ASSERT_TRUE(backVolume.ok());
   EXPECT_TRUE(*backVolume == voxels);
 
-  auto buffer = device->createBuffer({.name = "large", .size = texels.size(),
+  auto buffer = device->createBuffer({.name = "large",
+                                      .size = texels.size(),
                                       .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
   ASSERT_TRUE(buffer.ok()) << buffer.error().message;
   TY_EXPECT_OK(device->upload(*buffer, texels));
@@ -89,16 +113,28 @@ TEST_F(GpuTransfer, MoreThanTheStagingBufferGoesInPieces) {
 
 TEST_F(GpuTransfer, AViewShowsTheMipAndLayerAskedFor) {
   // A value of its own in each of 3 layers x 2 mips, read through views of every kind.
-  auto image = device->createImage({.name = "stack", .format = VK_FORMAT_R32_SFLOAT, .width = 2, .height = 2, .layers = 3, .mips = 2, .usage = kCopies});
-  auto out = device->createBuffer({.name = "out", .size = 4, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, .hostVisible = true});
+  auto image = device->createImage({.name = "stack",
+                                    .format = VK_FORMAT_R32_SFLOAT,
+                                    .width = 2,
+                                    .height = 2,
+                                    .layers = 3,
+                                    .mips = 2,
+                                    .usage = kCopies});
+  auto out = device->createBuffer(
+      {.name = "out", .size = 4, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, .hostVisible = true});
   ASSERT_TRUE(image.ok() && out.ok());
   for (std::uint32_t layer = 0; layer < 3; ++layer)
     for (std::uint32_t mip = 0; mip < 2; ++mip)
-      TY_EXPECT_OK(device->upload(*image, bytesOf(std::vector<float>(mip ? 1 : 4, static_cast<float>(layer * 10 + mip))), mip, layer));
+      TY_EXPECT_OK(device->upload(
+          *image, bytesOf(std::vector<float>(mip ? 1 : 4, static_cast<float>(layer * 10 + mip))), mip, layer));
   const auto read = [&](const ViewDesc& view, const std::string& type, const std::string& at) {
-    const auto shader = compile("comp", "layout(local_size_x = 1) in; layout(binding = 0) uniform " + type +
-        " s; layout(binding = 1) buffer B { float v; }; void main() { v = texelFetch(s, " + at + ").r; }");
-    auto pipeline = createPipeline(*device, ComputePipelineDesc{.name = "read", .shader = shader, .bindings = {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {1}}});
+    const auto shader = compile(
+        "comp", "layout(local_size_x = 1) in; layout(binding = 0) uniform " + type +
+                    " s; layout(binding = 1) buffer B { float v; }; void main() { v = texelFetch(s, " + at + ").r; }");
+    auto pipeline =
+        createPipeline(*device, ComputePipelineDesc{.name = "read",
+                                                    .shader = shader,
+                                                    .bindings = {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {1}}});
     EXPECT_TRUE(pipeline.ok());
     const VkSampler sampler = device->sampler({VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO});
     TY_EXPECT_OK(device->submitAndWait([&](VkCommandBuffer commands) {
@@ -113,13 +149,15 @@ TEST_F(GpuTransfer, AViewShowsTheMipAndLayerAskedFor) {
   EXPECT_EQ(read({.baseMip = 1, .baseLayer = 1, .layerCount = 1}, "sampler2D", "ivec2(0), 0"), 11);
   EXPECT_EQ(read({.baseLayer = 2, .layerCount = 1, .array = true}, "sampler2DArray", "ivec3(0), 1"), 21);
   EXPECT_EQ(read({.baseLayer = 1}, "sampler2DArray", "ivec3(0, 0, 1), 0"), 20);
-  EXPECT_EQ(image->view({}), image->view({.mipCount = 2, .layerCount = 3, .array = true})) << "the same part, asked for twice";
+  EXPECT_EQ(image->view({}), image->view({.mipCount = 2, .layerCount = 3, .array = true}))
+      << "the same part, asked for twice";
   EXPECT_DEATH(image->view({.baseLayer = 3}), "view outside of image 'stack'");
 }
 
 TEST_F(GpuTransfer, PartOfABufferIsReplaced) {
   for (const bool hostVisible : {false, true}) {
-    auto buffer = device->createBuffer({.name = "part", .size = 100,
+    auto buffer = device->createBuffer({.name = "part",
+                                        .size = 100,
                                         .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                         .hostVisible = hostVisible});
     ASSERT_TRUE(buffer.ok()) << buffer.error().message;

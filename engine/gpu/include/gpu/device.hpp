@@ -1,5 +1,6 @@
 // A Vulkan 1.3 device: choice, memory, frames, deferred destruction. Headless; a window system is the caller's business
-// (editor), which hands in instance extensions. volk loads Vulkan, so a machine without it gets an error, not a link failure.
+// (editor), which hands in instance extensions. volk loads Vulkan, so a machine without it gets an error, not a link
+// failure.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +18,16 @@
 namespace tyndall::gpu {
 
 struct DeviceOptions {
-  std::string name;             ///< part of a device name, case-insensitive, or an index; empty: $TYNDALL_DEVICE, else the best (discrete, integrated, CPU)
-  bool validation = false;      ///< validation layer with synchronization validation; its absence is an error
-  bool window = false;          ///< enables VK_KHR_swapchain
+  std::string name;  ///< part of a device name, case-insensitive, or an index; empty: $TYNDALL_DEVICE, else the best
+                     ///< (discrete, integrated, CPU)
+  bool validation = false;  ///< validation layer with synchronization validation; its absence is an error
+  bool window = false;      ///< enables VK_KHR_swapchain
   std::vector<std::string> instanceExtensions;
 };
 
 struct DeviceInfo {
-  std::string name;             ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
-  std::string driver;           ///< "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
+  std::string name;    ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string driver;  ///< "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
   bool isCpu = false;
   std::uint32_t subgroupSize = 0;
   VkPhysicalDeviceLimits limits{};
@@ -34,7 +36,7 @@ struct DeviceInfo {
 };
 
 class Allocator;
-struct Allocation {             ///< a range of one of the allocator's blocks
+struct Allocation {  ///< a range of one of the allocator's blocks
   VkDeviceMemory memory = VK_NULL_HANDLE;
   VkDeviceSize offset = 0, size = 0;
   std::byte* mapped = nullptr;  ///< host address, or null
@@ -42,7 +44,7 @@ struct Allocation {             ///< a range of one of the allocator's blocks
 };
 
 struct ImageDesc {
-  std::string name;             ///< debug name
+  std::string name;  ///< debug name
   VkFormat format = VK_FORMAT_UNDEFINED;
   std::uint32_t width = 1, height = 1, depth = 1, layers = 1, mips = 1;
   VkImageType type = VK_IMAGE_TYPE_2D;
@@ -80,6 +82,7 @@ class Image {
   VkImageView view(const ViewDesc& desc = {}) const;  ///< cached
   VkDeviceSize bytes() const;
   struct State;
+
  private:
   friend class Device;
   std::unique_ptr<State> state_;
@@ -89,7 +92,7 @@ struct BufferDesc {
   std::string name;
   VkDeviceSize size = 0;
   VkBufferUsageFlags usage = 0;
-  bool hostVisible = false;     ///< persistently mapped
+  bool hostVisible = false;  ///< persistently mapped
 };
 
 class Buffer {
@@ -101,8 +104,9 @@ class Buffer {
   explicit operator bool() const { return state_ != nullptr; }
   VkBuffer handle() const;
   VkDeviceSize size() const;
-  std::byte* mapped() const;    ///< null unless hostVisible
+  std::byte* mapped() const;  ///< null unless hostVisible
   struct State;
+
  private:
   friend class Device;
   std::unique_ptr<State> state_;
@@ -124,8 +128,9 @@ class Device {
 
   Result<Image> createImage(const ImageDesc& desc);
   Result<Buffer> createBuffer(const BufferDesc& desc);
-  /// Memory that several transient images and buffers share in turn (the render graph's aliasing). Sizes and alignments are
-  /// rounded so that images and buffers may be neighbours; all zero for what the device does not take (create says why).
+  /// Memory that several transient images and buffers share in turn (the render graph's aliasing). Sizes and alignments
+  /// are rounded so that images and buffers may be neighbours; all zero for what the device does not take (create says
+  /// why).
   VkMemoryRequirements requirements(const ImageDesc& desc);
   VkMemoryRequirements requirements(const BufferDesc& desc);
   Result<std::shared_ptr<Allocation>> allocate(const VkMemoryRequirements& requirements, const std::string& name);
@@ -137,28 +142,30 @@ class Device {
 
   /// Records and submits one command buffer and waits for it. For uploads, readback, tests.
   Result<void> submitAndWait(const std::function<void(VkCommandBuffer)>& record);
-  /// Frame loop: at most two frames in flight; begin waits for the slot and frees what was deferred for it. A second begin
-  /// without an end drops what was recorded.
+  /// Frame loop: at most two frames in flight; begin waits for the slot and frees what was deferred for it. A second
+  /// begin without an end drops what was recorded.
   Result<VkCommandBuffer> beginFrame();
   Result<void> endFrame(const FrameSignals& signals = {});
   std::uint64_t submittedFrames() const;  ///< value of the timeline semaphore once the last submitted frame is done
   Result<void> waitIdle();
 
-  /// Copies the whole of one mip of one layer, tightly packed (a 3D image: all its slices), and waits. Whatever its layout
-  /// was, that part is then in SHADER_READ_ONLY_OPTIMAL if the image can be sampled, else in GENERAL.
+  /// Copies the whole of one mip of one layer, tightly packed (a 3D image: all its slices), and waits. Whatever its
+  /// layout was, that part is then in SHADER_READ_ONLY_OPTIMAL if the image can be sampled, else in GENERAL.
   Result<void> upload(Image& image, std::span<const std::byte> texels, std::uint32_t mip = 0, std::uint32_t layer = 0);
   /// Frames submitted earlier still see the old bytes, later ones the new.
   Result<void> upload(Buffer& buffer, std::span<const std::byte> bytes, VkDeviceSize offset = 0);
   /// The image must be in `layout`; it is returned to it. Tightly packed rows.
-  Result<std::vector<std::byte>> readback(const Image& image, VkImageLayout layout, std::uint32_t mip = 0, std::uint32_t layer = 0);
+  Result<std::vector<std::byte>> readback(const Image& image, VkImageLayout layout, std::uint32_t mip = 0,
+                                          std::uint32_t layer = 0);
   Result<std::vector<std::byte>> readback(const Buffer& buffer);
 
-  VkDeviceSize allocatedBytes() const;    ///< in use by images and buffers, without the blocks' free space
+  VkDeviceSize allocatedBytes() const;       ///< in use by images and buffers, without the blocks' free space
   std::uint32_t validationMessages() const;  ///< warnings and errors so far (also printed)
   void setName(VkObjectType type, std::uint64_t handle, const std::string& name);
 
   struct State;
   State& state() { return *state_; }
+
  private:
   Device() = default;
   std::unique_ptr<State> state_;

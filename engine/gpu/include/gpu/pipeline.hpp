@@ -46,7 +46,7 @@ struct GraphicsPipelineDesc {
   std::shared_ptr<const Shader> vertex, geometry, fragment;  ///< geometry and fragment may be null
   std::vector<Binding> bindings;
   std::uint32_t pushConstantBytes = 0;
-  std::vector<Specialization> specialization;                ///< for every stage
+  std::vector<Specialization> specialization;  ///< for every stage
   std::vector<VkVertexInputBindingDescription> vertexBindings;
   std::vector<VkVertexInputAttributeDescription> vertexAttributes;
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
@@ -54,7 +54,7 @@ struct GraphicsPipelineDesc {
   VkFrontFace frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
   bool depthClamp = false;
   std::vector<ColorTarget> colors;
-  VkFormat depthFormat = VK_FORMAT_UNDEFINED;                ///< undefined: no depth
+  VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< undefined: no depth
   bool depthTest = false, depthWrite = false;
   VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;
 };
@@ -72,6 +72,7 @@ class Pipeline {
   VkPipelineLayout layout() const;
   VkPipelineBindPoint bindPoint() const;
   struct State;
+
  private:
   friend Result<Pipeline> createPipeline(Device&, const ComputePipelineDesc&);
   friend Result<Pipeline> createPipeline(Device&, const GraphicsPipelineDesc&);
@@ -81,16 +82,19 @@ class Pipeline {
 Result<Pipeline> createPipeline(Device& device, const ComputePipelineDesc& desc);
 Result<Pipeline> createPipeline(Device& device, const GraphicsPipelineDesc& desc);
 
-/// Collects descriptors for one draw or dispatch and pushes them:  Descriptors(cmd, pipeline).sampled(0, view, sampler).push();
+/// Collects descriptors for one draw or dispatch and pushes them:  Descriptors(cmd, pipeline).sampled(0, view,
+/// sampler).push();
 class Descriptors {
  public:
   Descriptors(VkCommandBuffer commands, const Pipeline& pipeline) : commands_(commands), pipeline_(pipeline) {}
   Descriptors& sampled(std::uint32_t binding, VkImageView view, VkSampler sampler,
                        VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   Descriptors& storageImage(std::uint32_t binding, VkImageView view);
-  Descriptors& storageBuffer(std::uint32_t binding, VkBuffer buffer, VkDeviceSize offset = 0, VkDeviceSize size = VK_WHOLE_SIZE);
+  Descriptors& storageBuffer(std::uint32_t binding, VkBuffer buffer, VkDeviceSize offset = 0,
+                             VkDeviceSize size = VK_WHOLE_SIZE);
   Descriptors& uniformBuffer(std::uint32_t binding, VkBuffer buffer, VkDeviceSize offset, VkDeviceSize size);
   void push();
+
  private:
   VkWriteDescriptorSet& add(std::uint32_t binding, VkDescriptorType type);
   VkCommandBuffer commands_;
@@ -113,9 +117,11 @@ class Timestamps {
   ~Timestamps();
   void begin(VkCommandBuffer commands);
   void mark(VkCommandBuffer commands);
-  /// Milliseconds of each span since begin (one per mark); call when the GPU has finished the frame. Their sum is the frame's time.
+  /// Milliseconds of each span since begin (one per mark); call when the GPU has finished the frame. Their sum is the
+  /// frame's time.
   std::vector<double> milliseconds() const;
   std::uint32_t capacity() const;
+
  private:
   struct State;
   std::unique_ptr<State> state_;

@@ -10,7 +10,8 @@ namespace tyndall::gpu {
 class RangeAllocator {
  public:
   explicit RangeAllocator(std::uint64_t size);
-  /// Offset of a free range of `size` (> 0) bytes at a multiple of `alignment` (> 0); none if no free range is large enough.
+  /// Offset of a free range of `size` (> 0) bytes at a multiple of `alignment` (> 0); none if no free range is large
+  /// enough.
   std::optional<std::uint64_t> allocate(std::uint64_t size, std::uint64_t alignment);
   /// Gives back exactly what allocate gave.
   void free(std::uint64_t offset, std::uint64_t size);

@@ -13,7 +13,7 @@ namespace tyndall::gpu {
 
 /// SPIR-V of one shader stage. `version` changes when the code does.
 struct Shader {
-  std::string name;                     ///< "moments_evaluate.comp"
+  std::string name;  ///< "moments_evaluate.comp"
   std::vector<std::uint32_t> code;
   std::uint64_t version = 0;
 };
@@ -25,10 +25,13 @@ class ShaderFolder {
   /// The shader's code; loaded at the first call. Errors name the file.
   Result<std::shared_ptr<const Shader>> get(const std::string& name);
 
-  struct Reload { std::vector<std::string> changed; std::vector<Error> errors; };
+  struct Reload {
+    std::vector<std::string> changed;
+    std::vector<Error> errors;
+  };
   /// Looks at the sources that the loaded shaders were built from (the .spv.json beside each names source and include
-  /// folders; includes are followed) and recompiles those whose newest file changed since. A shader that does not compile
-  /// keeps its last good code and is reported in `errors` with the compiler's message.
+  /// folders; includes are followed) and recompiles those whose newest file changed since. A shader that does not
+  /// compile keeps its last good code and is reported in `errors` with the compiler's message.
   Reload reloadChanged();
 
  private:
