@@ -1,0 +1,225 @@
+#include "editor.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <backends/imgui_impl_glfw.h>
+
+#include "app/values.hpp"
+#include "controls_panel.hpp"
+#include "status_panel.hpp"
+
+namespace tyndall::editor {
+namespace {
+
+constexpr double kIdleSeconds = 0.25;      // how long an idle window sleeps: files are looked at once a second
+constexpr float kMaxFlightSeconds = 0.25f; // a slow frame must not throw the camera through a wall
+constexpr float kFirstFlightSeconds = 1.0f / 30;  // the first frame of a flight: the time before it was not flown
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+void beginFixed(const char* name, float x, float y, float width, float height, ImGuiWindowFlags more = 0) {
+  ImGui::SetNextWindowPos({x, y});
+  ImGui::SetNextWindowSize({std::max(width, 1.0f), std::max(height, 1.0f)});
+  ImGui::Begin(name, nullptr, kFixed | more);
+}
+
+void chooseStyle() {
+  ImGui::StyleColorsDark();
+  ImGuiStyle& style = ImGui::GetStyle();
+  style.WindowRounding = 0, style.FrameRounding = 2, style.WindowBorderSize = 0;
+  style.WindowPadding = {8, 6}, style.FramePadding = {4, 2}, style.ItemSpacing = {6, 3}, style.CellPadding = {3, 1};
+  style.Colors[ImGuiCol_WindowBg] = {0.10f, 0.105f, 0.115f, 1};
+}
+
+}  // namespace
+
+ImGuiContextOwner::ImGuiContextOwner(const Window& window) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;  // the layout is fixed; nothing is left in the user's folder
+  chooseStyle();
+  ImGui_ImplGlfw_InitForVulkan(window.handle(), true);  // "Vulkan" means here: no OpenGL context is looked for
+}
+
+ImGuiContextOwner::~ImGuiContextOwner() {
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+}
+
+Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
+  std::unique_ptr<Editor> editor(new Editor(options));
+  auto path = app::findLevel(options.level);
+  if (!path) return path.error();
+  editor->outputs_.protect(*path);
+  if (!options.preset.empty()) editor->outputs_.protect(options.preset);
+  if (!options.screenshot.empty())
+    if (auto added = editor->outputs_.add("--screenshot", options.screenshot, ".png"); !added) return added.error();
+  if (!options.state.empty())
+    if (auto added = editor->outputs_.add("--print-state", options.state, ".json"); !added) return added.error();
+  auto catalogue = loadCatalogue(options);
+  if (!catalogue) return catalogue.error();
+  auto level = app::loadLevel(options.level);
+  if (!level) return level.error();
+  if (auto camera = app::chooseCamera(*level, options.camera, options.seconds); !camera) return camera.error();
+  std::vector<std::string> told = (*catalogue)->warnings();
+  told.insert(told.end(), level->warnings.begin(), level->warnings.end());
+  told.insert(told.end(), level->notes.begin(), level->notes.end());
+
+  // A window larger than any image a device is sure to take is a slip of the finger; the device's limit is looked at below.
+  if (auto fits = app::checkSize("--size", options.size, 16384, "a window takes"); !fits) return fits.error();
+  auto window = Window::open("Tyndall - " + level->name, options.size);
+  if (!window) return window.error();
+  editor->window_ = window.take();
+  gpu::DeviceOptions device;
+  device.name = options.device, device.validation = options.validate, device.window = true;
+  auto extensions = editor->window_->instanceExtensions();
+  if (!extensions) return extensions.error();
+  device.instanceExtensions = extensions.take();
+  auto session = app::Session::open(catalogue.take(), device);
+  if (!session) return session.error();
+  editor->session_ = session.take();
+  if (auto fits = app::checkSize("--size", options.size, editor->session_->maxSide(), editor->session_->device().info().name + " takes"); !fits)
+    return fits.error();
+  const scene::Bounds bounds = scene::worldBounds(level->scene, level->worldFromNode(options.seconds));
+  editor->camera_.emplace(bounds.empty() ? 10.0f : glm::length(bounds.max - bounds.min));
+  if (auto set = editor->session_->setLevel(level.take()); !set) return set.error();
+  auto swapchain = Swapchain::create(editor->session_->device(), *editor->window_);
+  if (!swapchain) return swapchain.error();
+  editor->swapchain_ = swapchain.take();
+  editor->imgui_ = std::make_unique<ImGuiContextOwner>(*editor->window_);
+  auto renderer = ImGuiRenderer::create(editor->session_->device(), editor->swapchain_->format());
+  if (!renderer) return renderer.error();
+  editor->renderer_ = renderer.take();
+  editor->windowMemory_ = std::make_unique<render::GraphMemory>(editor->session_->device());
+  editor->workspace_.seconds = options.seconds;
+  for (const std::string& line : told) editor->workspace_.tell(line, false);
+  return editor;
+}
+
+Result<void> Editor::run() {
+  while (!window_->closing()) {
+    const bool idle = options_.frames == 0 && frames_ > 2 && !moving_ && !pictureWanted();
+    if (idle) window_->wait(kIdleSeconds);
+    else window_->poll();
+    auto drawn = step();
+    if (!drawn) return drawn.error();
+    if (!*drawn) window_->wait(kIdleSeconds);
+    if (options_.frames > 0 && frames_ >= options_.frames) break;
+  }
+  if (auto finished = session_->finishFrames(); !finished) return finished;
+  const std::uint32_t messages = session_->device().validationMessages();
+  if (messages > 0) return failed("--validate: the validation layer gave " + std::to_string(messages) + " messages (above); none is right");
+  return writeScreenshot();
+}
+
+Result<bool> Editor::step() {
+  auto fits = swapchain_->fit(window_->pixels());
+  if (!fits || !*fits) return fits;
+  watcher_.check(*session_, workspace_);
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+  workspace_.widgets.clear();
+  drawWindows();
+  steer();
+  ImGui::Render();
+
+  if (pictureWanted()) {
+    if (auto rendered = renderPicture(); !rendered) {
+      if (!picture_) return rendered.error();  // there is nothing to go on with
+      workspace_.tell(rendered.error().message, true);
+    }
+  } else if (!timesTaken_) {
+    // Nothing to do but wait: the panel then shows the times of the picture that is seen.
+    if (auto finished = session_->finishFrames(); !finished) return finished.error();
+    timesTaken_ = true;
+  }
+  if (auto shown = renderWindow(); !shown) return shown.error();
+  ++frames_;
+  const StateFile::Snapshot now{*session_, workspace_, *camera_, camera_->view(fileCamera()), frames_, pictures_};
+  if (auto written = state_.update(now); !written) return written.error();
+  return true;
+}
+
+scene::CameraView Editor::fileCamera() const {
+  const auto cameras = session_->level()->cameras(workspace_.seconds);
+  return cameras[std::min<std::size_t>(options_.camera, cameras.size() - 1)];
+}
+
+void Editor::drawWindows() {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float side = std::min(std::clamp(size.x * 0.32f, 290.0f, 420.0f), size.x / 2);
+  const float status = ImGui::GetFrameHeight() + 6;
+  drawViewport(size.x - side, size.y - status);
+  drawSide(size.x - side, side, size.y - status);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 5));
+  beginFixed("status", 0, size.y - status, size.x, status, ImGuiWindowFlags_NoScrollWithMouse);
+  drawStatus(*session_, workspace_, viewWidth_, viewHeight_);
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+void Editor::drawViewport(float width, float height) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  beginFixed("viewport", 0, 0, width, height, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground);
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  const std::uint32_t limit = session_->maxSide();
+  viewWidth_ = std::clamp(static_cast<std::uint32_t>(width * scale.x), 1u, limit);
+  viewHeight_ = std::clamp(static_cast<std::uint32_t>(height * scale.y), 1u, limit);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("picture", {width, height}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  workspace_.place("viewport");
+  viewHovered_ = ImGui::IsItemHovered();
+  looking_ = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(Texture::kPicture), low, {low.x + width, low.y + height});
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+void Editor::drawSide(float x, float width, float height) {
+  beginFixed("side", x, 0, width, height, ImGuiWindowFlags_NoScrollWithMouse);
+  drawControls(*session_, *camera_, workspace_);
+  ImGui::Separator();
+  const float times = std::clamp(height * 0.3f, 90.0f, 260.0f);
+  ImGui::BeginChild("parameters", {0, std::max(ImGui::GetContentRegionAvail().y - times, 40.0f)});
+  parameters_.draw(session_->catalogue(), workspace_);
+  ImGui::EndChild();
+  ImGui::Separator();
+  drawPassTimes(*session_);
+  ImGui::End();
+}
+
+void Editor::steer() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const double now = glfwGetTime();
+  const float passed = static_cast<float>(now - std::exchange(lastTime_, now));
+  if (workspace_.playing) workspace_.seconds += static_cast<double>(passed);
+
+  const bool control = window_->keyDown(GLFW_KEY_LEFT_CONTROL) || window_->keyDown(GLFW_KEY_RIGHT_CONTROL);
+  const auto key = [&](int code) { return window_->keyDown(code) && !io.WantTextInput; };  // asks first: a tap is forgotten once asked for
+  const bool resetKey = key(GLFW_KEY_F);
+  if (resetKey && !std::exchange(resetKeyWasDown_, resetKey)) workspace_.cameraReset = true;
+  resetKeyWasDown_ = resetKey;
+  const bool left = key(GLFW_KEY_A), right = key(GLFW_KEY_D), down = key(GLFW_KEY_Q), up = key(GLFW_KEY_E);
+  const bool back = key(GLFW_KEY_S), ahead = key(GLFW_KEY_W);
+  if (control && down) window_->close();
+
+  Flight flight;
+  if (!control) flight.push = {float(right) - float(left), float(up) - float(down), float(ahead) - float(back)};
+  flight.fast = io.KeyShift;
+  if (looking_) flight.look = {io.MouseDelta.x, io.MouseDelta.y};
+  if (viewHovered_) flight.wheel = io.MouseWheel;
+  if (std::exchange(workspace_.cameraReset, false) && camera_->flown()) {
+    camera_->reset();
+    workspace_.changed = true;
+  }
+  const float seconds = moving_ ? std::min(passed, kMaxFlightSeconds) : kFirstFlightSeconds;
+  if (camera_->fly(flight, seconds, fileCamera())) workspace_.changed = true;
+  moving_ = flight.push != glm::vec3(0) || looking_;
+}
+
+}  // namespace tyndall::editor

@@ -1,0 +1,83 @@
+// The editor: one window, one session. Picture and window are drawn as two frames of the device: the picture only when it
+// is out of date, the window whenever something happens.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/outputs.hpp"
+#include "app/session.hpp"
+#include "fly_camera.hpp"
+#include "imgui_renderer.hpp"
+#include "options.hpp"
+#include "parameter_panel.hpp"
+#include "state_file.hpp"
+#include "swapchain.hpp"
+#include "watcher.hpp"
+#include "window.hpp"
+#include "workspace.hpp"
+
+namespace tyndall::editor {
+
+/// Dear ImGui's context with its GLFW backend.
+class ImGuiContextOwner {
+ public:
+  explicit ImGuiContextOwner(const Window& window);
+  ~ImGuiContextOwner();
+  ImGuiContextOwner(const ImGuiContextOwner&) = delete;
+  ImGuiContextOwner& operator=(const ImGuiContextOwner&) = delete;
+};
+
+class Editor {
+ public:
+  /// Opens everything. Bad calls are found before the window is.
+  static Result<std::unique_ptr<Editor>> open(const Options& options);
+  /// Until the window is closed or the frames asked for are shown; then writes what was asked for.
+  Result<void> run();
+
+ private:
+  explicit Editor(const Options& options) : options_(options), state_(options.state) {}
+
+  // editor.cpp: what is in the window
+  Result<bool> step();  ///< false: there was nothing to draw on
+  void drawWindows();
+  void drawViewport(float width, float height);
+  void drawSide(float x, float width, float height);
+  void steer();
+  scene::CameraView fileCamera() const;
+
+  // editor_frame.cpp: how it gets there
+  Result<void> renderPicture();
+  Result<void> renderWindow();
+  Result<void> addScreenshot(render::Graph& graph, render::ImageRef window);
+  Result<void> writeScreenshot();
+  bool pictureWanted() const;
+
+  Options options_;
+  app::Outputs outputs_;
+  // Destroyed from the last to the first: everything on the device before the session, the window at the very end.
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<app::Session> session_;
+  std::unique_ptr<ImGuiContextOwner> imgui_;
+  std::unique_ptr<Swapchain> swapchain_;
+  std::unique_ptr<ImGuiRenderer> renderer_;
+  std::unique_ptr<render::GraphMemory> windowMemory_;
+  gpu::Image picture_;             ///< the newest, as the window shows it
+  gpu::Buffer screenshot_;         ///< the window drawn last
+  VkExtent2D screenshotSize_{0, 0};
+
+  std::optional<FlyCamera> camera_;
+  ParameterPanel parameters_;
+  Watcher watcher_;
+  Workspace workspace_;
+  StateFile state_;
+  std::uint32_t viewWidth_ = 0, viewHeight_ = 0;  ///< pixels of the viewport
+  std::uint32_t frames_ = 0, pictures_ = 0;
+  bool viewHovered_ = false, looking_ = false;
+  bool moving_ = false;            ///< the camera was flown in the last frame
+  bool timesTaken_ = true;         ///< of the newest picture
+  bool resetKeyWasDown_ = false;
+  double lastTime_ = 0;            ///< of the last step, seconds since the start
+};
+
+}  // namespace tyndall::editor

@@ -1,0 +1,44 @@
+// A camera flown by hand. Until it is moved it follows the file's camera (which may be animated).
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "scene/scene.hpp"
+
+namespace tyndall::editor {
+
+/// What the user asks for in one frame.
+struct Flight {
+  glm::vec3 push{0};   ///< right, up (of the world), forward; each -1, 0 or 1
+  bool fast = false;
+  glm::vec2 look{0};   ///< pixels that the mouse was dragged: right, down
+  float wheel = 0;     ///< notches: speed
+  bool any() const { return push != glm::vec3(0) || look != glm::vec2(0) || wheel != 0; }
+};
+
+class FlyCamera {
+ public:
+  /// `reach` is the level's size in metres: a second's flight crosses about a tenth of it at first.
+  explicit FlyCamera(float reach);
+
+  /// Moves by `seconds` of flight. True when the view changed.
+  bool fly(const Flight& flight, float seconds, const scene::CameraView& file);
+  /// Back to the file's camera.
+  void reset() { flown_ = false; }
+
+  /// Lens and, unless flown, pose are the file's. Flown, the horizon is level: the file's roll is dropped.
+  scene::CameraView view(const scene::CameraView& file) const;
+  bool flown() const { return flown_; }
+  float speed() const { return speed_; }  ///< m/s
+
+ private:
+  void takeOff(const scene::CameraView& file);
+  glm::vec3 forward() const;
+
+  bool flown_ = false;
+  glm::vec3 position_{0};
+  float yaw_ = 0, pitch_ = 0;  ///< radians; yaw 0 looks down -Z and grows to the right, pitch grows upwards
+  float speed_ = 1;
+};
+
+}  // namespace tyndall::editor

@@ -1,0 +1,114 @@
+#include "parameter_panel.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "parameter_widget.hpp"
+
+namespace tyndall::editor {
+namespace {
+
+std::string groupOf(const std::string& id) { return id.substr(0, id.find('.')); }
+
+std::string titleOf(std::string group) {
+  if (!group.empty()) group[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(group[0])));
+  return group;
+}
+
+/// Groups in the order of the effect first, the engine's after it; any other comes last.
+std::vector<std::string> groupsOf(const params::Table& table) {
+  std::vector<std::string> groups;
+  for (const char* known : {"volumetrics", "medium", "shadows", "view"})
+    if (std::any_of(table.parameters().begin(), table.parameters().end(), [&](const auto& p) { return groupOf(p.id) == known; }))
+      groups.push_back(known);
+  for (const params::Parameter& parameter : table.parameters())
+    if (const std::string group = groupOf(parameter.id); std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
+  return groups;
+}
+
+/// Whether a change of the parameter can change the picture now.
+bool isRead(const app::Catalogue& catalogue, const params::Parameter& parameter) {
+  const params::Table& table = catalogue.table();
+  if (parameter.id == "shadows.precision") return params::toText(*table.find("shadows.mode"), table.value("shadows.mode")) == "moments";
+  if (parameter.owner == "engine") return true;
+  const host::Plugin& plugin = catalogue.effectPlugin();
+  if (parameter.owner != plugin.id()) return false;
+  const std::string enabled = plugin.id() + ".enabled";
+  if (parameter.id == enabled) return true;
+  if (table.find(enabled) && table.value(enabled) == 0) return false;
+  if (plugin.selector() < plugin.parameters().size() && plugin.parameters()[plugin.selector()].id == parameter.id) return true;
+  const host::TechniqueInfo* technique = catalogue.technique();
+  return technique && std::find(technique->reads.begin(), technique->reads.end(), parameter.id) != technique->reads.end();
+}
+
+}  // namespace
+
+void ParameterPanel::draw(app::Catalogue& catalogue, Workspace& workspace) {
+  if (ImGui::SmallButton("reset all")) {
+    catalogue.table().resetToDefaults();
+    workspace.changed = true;
+    workspace.tell("every parameter has its default value", false);
+  }
+  workspace.place("reset all");
+  for (const std::string& group : groupsOf(catalogue.table())) {
+    if (!ImGui::CollapsingHeader(titleOf(group).c_str(), ImGuiTreeNodeFlags_DefaultOpen)) continue;
+    if (!ImGui::BeginTable(group.c_str(), 3, ImGuiTableFlags_SizingStretchProp)) continue;
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.45f);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.55f);
+    ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
+    for (const params::Parameter& parameter : catalogue.table().parameters())
+      if (groupOf(parameter.id) == group) row(catalogue, parameter, workspace);
+    ImGui::EndTable();
+  }
+}
+
+void ParameterPanel::row(app::Catalogue& catalogue, const params::Parameter& parameter, Workspace& workspace) {
+  params::Table& table = catalogue.table();
+  const bool read = isRead(catalogue, parameter), changed = table.changed(parameter.id);
+  ImGui::PushID(parameter.id.c_str());
+  ImGui::TableNextRow();
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, read ? 1.0f : 0.45f);
+
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  const std::string label = parameter.name + (parameter.unit.empty() ? "" : " (" + parameter.unit + ")");
+  if (changed) ImGui::PushStyleColor(ImGuiCol_Text, kChangedColor);
+  ImGui::TextUnformatted(label.c_str());
+  if (changed) ImGui::PopStyleColor();
+  const bool labelDoubleClicked = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  ImGui::PopStyleVar();
+  parameterTooltip(parameter, read);
+
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, read ? 1.0f : 0.45f);
+  ImGui::TableNextColumn();
+  ImGui::SetNextItemWidth(-1);
+  const bool waits = pending_ && pending_->id == parameter.id;
+  const auto value = parameterWidget(parameter, waits ? pending_->value : table.value(parameter.id));
+  workspace.place(parameter.id);
+  const bool slides = parameter.type == params::Type::kInt || parameter.type == params::Type::kFloat;
+  if (value && slides && parameter.structural) pending_ = Pending{parameter.id, *value};
+  else if (value) set(table, parameter.id, *value, workspace);
+  if (pending_ && pending_->id == parameter.id && !ImGui::IsItemActive())
+    set(table, parameter.id, std::exchange(pending_, std::nullopt)->value, workspace);
+  ImGui::PopStyleVar();
+  if (!ImGui::IsItemActive()) parameterTooltip(parameter, read);
+
+  ImGui::TableNextColumn();
+  if (changed) {
+    if (ImGui::ArrowButton("##reset", ImGuiDir_Left) || labelDoubleClicked) set(table, parameter.id, parameter.defaultValue, workspace);
+    workspace.place("reset " + parameter.id);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to %s", params::toText(parameter, parameter.defaultValue).c_str());
+  }
+  ImGui::PopID();
+}
+
+void ParameterPanel::set(params::Table& table, const std::string& id, double value, Workspace& workspace) {
+  if (auto done = table.set(id, value); !done) {
+    workspace.tell(done.error().message, true);
+    return;
+  }
+  workspace.changed = true;
+}
+
+}  // namespace tyndall::editor

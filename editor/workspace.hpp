@@ -1,0 +1,41 @@
+// What the editor's panels share: what the user has chosen, what is to be told, where the widgets are.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <imgui.h>
+
+namespace tyndall::editor {
+
+struct Rect {
+  float x = 0, y = 0, width = 0, height = 0;  ///< points from the window's upper left corner
+};
+
+struct Workspace {
+  double seconds = 0;             ///< time of the level's animations
+  bool playing = false;
+  bool continuous = false;        ///< render even when nothing has changed (to watch times)
+  std::string debugView;          ///< "" = the picture
+  bool changed = true;            ///< the picture is out of date
+  bool cameraReset = false;       ///< F, or its button
+  bool reloadPlugin = false, reloadShaders = false;
+  std::string message;            ///< the newest, one line
+  bool messageIsError = false;
+  std::map<std::string, Rect> widgets;  ///< of the frame drawn last, by parameter id or name
+
+  void tell(std::string line, bool isError) {
+    message = std::move(line);
+    messageIsError = isError;
+  }
+  /// Notes where the widget drawn last is.
+  void place(const std::string& name) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    widgets[name] = {low.x, low.y, high.x - low.x, high.y - low.y};
+  }
+};
+
+/// Theme.
+inline const ImVec4 kErrorColor{1.0f, 0.45f, 0.40f, 1}, kChangedColor{1.0f, 0.80f, 0.35f, 1}, kDimColor{0.55f, 0.57f, 0.60f, 1};
+
+}  // namespace tyndall::editor
