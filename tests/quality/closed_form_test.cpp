@@ -1,0 +1,82 @@
+// Scattering where the answer can be written down: nothing in the sun's way, and one plate in it.
+#include <cmath>
+#include <numbers>
+
+#include "pictures.hpp"
+
+namespace tyndall::quality {
+namespace {
+
+constexpr double kSigma = 0.03, kAlbedo = 0.9, kG = 0.5, kLux = 8;
+
+/// Radiance of a fully lit ray of length s that meets the sun's direction of travel at `cosine` (of view and towards-sun).
+double lit(double s, double cosine) {
+  const double d = 1 + kG * kG - 2 * kG * cosine;
+  return kLux * kAlbedo * (1 - kG * kG) / (4 * std::numbers::pi * std::pow(d, 1.5)) * -std::expm1(-kSigma * s);
+}
+
+/// View direction of a pixel centre of the level's camera at 320x180, looking down -z.
+glm::dvec3 ray(int x, int y) {
+  const double up = std::tan(0.45), right = up * 320 / 180;
+  return glm::normalize(glm::dvec3((-1 + (x + 0.5) / 160) * right, (1 - (y + 0.5) / 90) * up, -1));
+}
+
+const glm::vec3 kTravel{0.3f, -0.8f, -0.4f};
+const Arguments kEach[] = {{"volumetrics.technique=ray_march", "volumetrics.steps=1024"},
+                           {"volumetrics.technique=ray_march", "volumetrics.steps=1024", "volumetrics.march_spacing=distance"},
+                           {"volumetrics.technique=moments4", "volumetrics.reference_rays=1"},
+                           {"volumetrics.technique=moments6"}};
+
+using ClosedForm = QualityTest;
+
+TEST_F(ClosedForm, AnEmptyLevelIsFullyLit) {
+  const std::string level = writeLevel("ground", {plate(-100, 100, -100, 100, 0)}, kTravel);
+  const image::FloatImage depth = distance(level);
+  image::FloatImage expected{320, 180, 4, std::vector<float>(320 * 180 * 4)};
+  const glm::dvec3 towards = -glm::normalize(glm::dvec3(kTravel));
+  for (int y = 0; y < 180; ++y)
+    for (int x = 0; x < 320; ++x) {
+      const double s = depth.at(x, y, 0);
+      for (int c = 0; c < 3; ++c) expected.at(x, y, c) = static_cast<float>(lit(s, glm::dot(ray(x, y), towards)));
+      expected.at(x, y, 3) = static_cast<float>(std::exp(-kSigma * s));
+    }
+  for (const Arguments& settings : kEach) {
+    const image::FloatImage picture = scatter(level, settings);
+    EXPECT_LT(nRmse(picture, expected), 0.002) << settings[0];
+    for (std::size_t i = 3; i < picture.values.size(); i += 4) ASSERT_NEAR(picture.values[i], expected.values[i], 1e-4);
+  }
+}
+
+// A large plate above: the shadow has one edge, so six and four moments and the march all know it exactly but for the
+// resolution of their maps. Truth by ray tracing.
+TEST_F(ClosedForm, OnePlateShadowsAlikeInEveryTechnique) {
+  const std::string level = writeLevel("plate", {plate(-30, 30, -40, 20, 0), plate(-4, 4, -12, -2, 5)}, kTravel);
+  const image::FloatImage reference = truth(level, 2048);
+  for (const Arguments& settings : kEach) {
+    Arguments all = settings;
+    all.push_back("shadows.resolution=2048");
+    const double error = nRmse(scatter(level, all), reference);
+    RecordProperty(settings[0], std::to_string(error));
+    std::printf("one plate, %s: nRMSE %.4f\n", settings[0].c_str(), error);
+    EXPECT_LT(error, settings[0].ends_with("march") ? 0.01 : 0.06) << settings[0];
+  }
+}
+
+// A parameter that is read changes the picture; the medium behaves as physics says.
+TEST_F(ClosedForm, TheMediumActsAsItShould) {
+  const std::string level = writeLevel("ground", {plate(-100, 100, -100, 100, 0)}, kTravel);
+  const auto mean = [](const image::FloatImage& picture, int channel) {
+    double sum = 0;
+    for (std::size_t i = static_cast<std::size_t>(channel); i < picture.values.size(); i += 4) sum += picture.values[i];
+    return sum / (320 * 180);
+  };
+  const image::FloatImage base = scatter(level, {});
+  const image::FloatImage half = scatter(level, {"medium.albedo=0.45"});
+  EXPECT_NEAR(mean(half, 0) / mean(base, 0), 0.5, 1e-4);
+  const image::FloatImage none = scatter(level, {"medium.sigma_t=0"});
+  EXPECT_EQ(mean(none, 0), 0);
+  EXPECT_EQ(mean(none, 3), 1);
+}
+
+}  // namespace
+}  // namespace tyndall::quality
