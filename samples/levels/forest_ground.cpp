@@ -103,7 +103,8 @@ void addTerrain(LevelBuilder& level, const Materials& m) {
   surface(ground, kCells, kCells, {size, size},
           [&](float u, float v) { return onGround(size * u - kHalfSize, kHalfSize - size * v); });
   scene::Primitive primitive = ground.finish(m.litter, kGroundTile);
-  for (scene::Vertex& v : primitive.vertices) v.color = glm::min(glm::vec4(groundTint(v.position.x, v.position.z), 1), glm::vec4(1));
+  for (scene::Vertex& v : primitive.vertices)
+    v.color = glm::min(glm::vec4(groundTint(v.position.x, v.position.z), 1), glm::vec4(1));
   MeshBuilder water;
   surface(water, 64, 1, {64, 4}, [&](float u, float v) {
     const float x = 68.0f * u - 34.0f;

@@ -11,7 +11,7 @@ namespace tyndall::levels {
 class MeshBuilder {
  public:
   glm::mat4 frame{1};     ///< applied to what is added next; rotation, translation and uniform scale only
-  glm::vec4 color{1};     ///< linear tint of what is added next
+  glm::vec4 color{1};     ///< linear tint of what is added next; what exceeds 1 counts as 1, as in glTF
   glm::vec2 uvOffset{0};  ///< metres, added to texture coordinates: shifts the pattern from piece to piece
 
   std::uint32_t vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv);

@@ -72,7 +72,7 @@ TEST_P(File, EveryVertexIsShadeable) {
         // Written so that a NaN counts as bad.
         const bool good = glm::abs(glm::length(v.normal) - 1) < 1e-4f && glm::abs(glm::length(t) - 1) < 1e-4f &&
                           glm::abs(glm::dot(t, v.normal)) < 1e-3f && glm::abs(v.tangent.w) == 1.0f &&
-                          glm::all(glm::lessThanEqual(v.color, glm::vec4(2))) && v.color.a == 1.0f;
+                          glm::all(glm::lessThanEqual(v.color, glm::vec4(1))) && v.color.a == 1.0f;
         bad += good ? 0 : 1;
       }
       EXPECT_EQ(bad, 0u);
