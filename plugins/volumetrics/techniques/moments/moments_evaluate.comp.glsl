@@ -86,10 +86,10 @@ float visibility(Row a, Row b, int k, float z, float beta) {
 float meanVisibility(Row a, Row b, float theta) {
   float depth = normalisedInclination(theta, light.epipolar.thetaMin, light.epipolar.thetaMax);
   if (kBounds) {
-    int last = int(light.epipolar.columns) - 1;
-    vec2 range = texelFetch(bounds, ivec2(a.index, min(int(a.column), last)), 0).xy;
+    // Whole columns only: the one in which the ray ends holds the very surface that ends it, at the ray's own inclination.
+    vec2 range = texelFetch(bounds, ivec2(a.index, max(int(a.column) - 1, 0)), 0).xy;
     if (kLinearRows) {
-      vec2 other = texelFetch(bounds, ivec2(b.index, min(int(b.column), last)), 0).xy;
+      vec2 other = texelFetch(bounds, ivec2(b.index, max(int(b.column) - 1, 0)), 0).xy;
       range = vec2(min(range.x, other.x), max(range.y, other.y));
     }
     if (depth <= range.x - kHalfStep || range.x >= 1.0) return 1.0;
