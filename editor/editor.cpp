@@ -213,9 +213,10 @@ void Editor::steer() {
   flight.fast = io.KeyShift;
   if (looking_) flight.look = {io.MouseDelta.x, io.MouseDelta.y};
   if (viewHovered_) flight.wheel = io.MouseWheel;
-  if (std::exchange(workspace_.cameraReset, false) && camera_->flown()) {
+  if (std::exchange(workspace_.cameraReset, false)) {
+    if (camera_->flown()) workspace_.changed = true;
     camera_->reset();
-    workspace_.changed = true;
+    flight = {};  // a key let go since the last frame still counts as a tap: it must not take off again at once
   }
   const float seconds = moving_ ? std::min(passed, kMaxFlightSeconds) : kFirstFlightSeconds;
   if (camera_->fly(flight, seconds, fileCamera())) workspace_.changed = true;

@@ -22,8 +22,9 @@ void drawPassTimes(const app::Session& session) {
   if (!ImGui::BeginTable("passes", 3, flags, ImGui::GetContentRegionAvail())) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Pass", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("Owner", ImGuiTableColumnFlags_WidthFixed);
-  ImGui::TableSetupColumn("ms", ImGuiTableColumnFlags_WidthFixed);
+  // Widths by what is usual: columns that fit themselves lag a frame behind and jump.
+  ImGui::TableSetupColumn("Owner", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("volumetrics").x);
+  ImGui::TableSetupColumn("      ms", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00000.00").x);
   ImGui::TableHeadersRow();
   double total = 0;
   std::map<std::string, double> byOwner;

@@ -44,9 +44,10 @@ void Watcher::reloadShaders(app::Session& session, Workspace& workspace, bool as
   bool broken = false;
   std::string text;
   for (const std::string& line : lines) {
-    broken = broken || !line.ends_with(": reloaded");
+    const bool isBroken = !line.ends_with(": reloaded");
+    if (isBroken) log::warning(line);
+    broken = broken || isBroken;
     text += (text.empty() ? "" : "   ") + line;
-    log::info(line);
   }
   workspace.changed = true;
   workspace.tell(text, broken);

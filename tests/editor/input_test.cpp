@@ -1,0 +1,69 @@
+// Real keys and clicks change what they say they do.
+#include <cmath>
+
+#include "display.hpp"
+
+namespace tyndall::editor_test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Small and cheap, so that a frame takes a fraction of a second on a slow machine.
+const std::vector<std::string> kSmall = {"hall", "--size", "640x400", "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64", "--set", "shadows.resolution=256"};
+
+class InputTest : public EditorTest {
+ protected:
+  void SetUp() override {
+    EditorTest::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    ASSERT_TRUE(haveProgram("xdotool"));
+    startEditor(kSmall);
+    ASSERT_FALSE(waitFor([](const Json& s) { return s["frames"] >= 4; }).is_null()) << errors();
+    focus();
+  }
+  /// Ctrl+Q is the way out.
+  void quit() {
+    input({"keydown", "ctrl", "keydown", "q", "sleep", "1", "keyup", "q", "keyup", "ctrl"});
+    EXPECT_EQ(waitEditor(60), 0) << errors();
+  }
+};
+
+TEST_F(InputTest, HoldingWFliesForwardAndFComesBack) {
+  const Json before = state();
+  EXPECT_FALSE(before["camera"]["flown"].get<bool>());
+  input({"keydown", "w"});
+  const Json moving = waitFor([&](const Json& s) { return s["camera"]["flown"] && s["pictures"] >= before["pictures"].get<int>() + 3; }, 60);
+  input({"keyup", "w"});
+  ASSERT_FALSE(moving.is_null());
+  double along = 0, length = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double step = moving["camera"]["position"][i].get<double>() - before["camera"]["position"][i].get<double>();
+    along += step * before["camera"]["forward"][i].get<double>();
+    length += step * step;
+  }
+  EXPECT_GT(along, 0.05);                            // metres
+  EXPECT_NEAR(along, std::sqrt(length), 0.01 * along);  // straight ahead
+  input({"keydown", "f", "sleep", "1", "keyup", "f"});
+  const Json back = waitFor([](const Json& s) { return !s["camera"]["flown"].get<bool>(); }, 30);
+  ASSERT_FALSE(back.is_null());
+  EXPECT_EQ(back["camera"]["position"], before["camera"]["position"]);
+  quit();
+}
+
+TEST_F(InputTest, ClicksChangeParametersAndResetThem) {
+  EXPECT_EQ(state()["settings"]["volumetrics.enabled"], "true");
+  click("volumetrics.enabled");
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["settings"]["volumetrics.enabled"] == "false"; }, 30).is_null());
+  click("reset volumetrics.enabled");
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["settings"]["volumetrics.enabled"] == "true"; }, 30).is_null());
+  quit();
+}
+
+TEST_F(InputTest, AnIdleWindowRendersNoPictures) {
+  const Json quiet = waitFor([](const Json& s) { return s["frames"].get<int>() >= s["pictures"].get<int>() + 6; }, 60);
+  EXPECT_FALSE(quiet.is_null()) << state().dump();
+  quit();
+}
+
+}  // namespace
+}  // namespace tyndall::editor_test
