@@ -53,7 +53,7 @@ Result<std::unique_ptr<Plugin>> Plugin::load(const fs::path& path) {
 
   state->host.struct_size = sizeof(TyHost);
   state->host.abi_version = TY_ABI_VERSION;
-  state->host.name = "tyndall";
+  state->host.name = "tyndall " TYNDALL_VERSION;
   state->host.context = &state->logPrefix;
   state->host.log = logLine;
   state->host.get_extension = noExtension;
