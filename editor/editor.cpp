@@ -174,7 +174,8 @@ void Editor::drawViewport(float width, float height) {
   ImGui::InvisibleButton("picture", {width, height}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   workspace_.place("viewport");
   viewHovered_ = ImGui::IsItemHovered();
-  looking_ = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  // Not in the frame of the press itself: the mouse's way to where it was pressed is no drag.
+  looking_ = ImGui::IsItemActive() && !ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
   ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(Texture::kPicture), low, {low.x + width, low.y + height});
   ImGui::End();
   ImGui::PopStyleVar();

@@ -50,6 +50,24 @@ TEST_F(InputTest, HoldingWFliesForwardAndFComesBack) {
   quit();
 }
 
+TEST_F(InputTest, ARightDragTurnsByItsLengthAndMovesNowhere) {
+  const Json before = state();
+  const auto later = [&] { const int now = state()["frames"]; waitFor([=](const Json& s) { return s["frames"] >= now + 3; }, 30); };
+  // The way to where the button is pressed is no part of the drag.
+  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", "100", "200", "mousedown", "3"});
+  later();
+  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", "150", "200"});
+  later();
+  input({"mouseup", "3"});
+  later();
+  const Json after = state();
+  const auto yaw = [](const Json& s) { return std::atan2(s["camera"]["forward"][0].get<double>(), -s["camera"]["forward"][2].get<double>()); };
+  EXPECT_NEAR(yaw(after) - yaw(before), 50 * 0.004, 1e-3);  // radians: 50 pixels to the right turn right
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(after["camera"]["position"][i].get<double>(), before["camera"]["position"][i].get<double>(), 1e-4);
+  quit();
+}
+
 TEST_F(InputTest, ClicksChangeParametersAndResetThem) {
   EXPECT_EQ(state()["settings"]["volumetrics.enabled"], "true");
   click("volumetrics.enabled");
