@@ -12,6 +12,9 @@ extern "C" __attribute__((visibility("default"))) const char* __lsan_default_sup
   return "leak:libVkLayer_\nleak:libvulkan\nleak:libLLVM\n";
 }
 
+// Without a list of what was suppressed: a failure of the program stays one line on stderr.
+extern "C" __attribute__((visibility("default"))) const char* __lsan_default_options() { return "print_suppressions=0"; }
+
 namespace tyndall::gpu {
 
 void keepDriversLoaded() {
