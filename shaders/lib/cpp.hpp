@@ -26,16 +26,19 @@ namespace f32 {
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
 #include "lib/moments.glsl"
+#include "lib/fourier.glsl"
 }  // namespace f32
 namespace f64 {
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
 #include "lib/moments.glsl"
+#include "lib/fourier.glsl"
 }  // namespace f64
 namespace f80 {
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
 #include "lib/moments.glsl"
+#include "lib/fourier.glsl"
 }  // namespace f80
 }  // namespace tyndall::lib
 
