@@ -22,6 +22,10 @@ TyBinding uniformAt(std::uint32_t binding, std::uint32_t block) {
 }
 TyBinding sceneDepthAt(std::uint32_t binding) { return bind(binding, TY_SOURCE_SCENE_DEPTH, 0, TY_ACCESS_SAMPLED); }
 TyBinding shadowMapAt(std::uint32_t binding) { return bind(binding, TY_SOURCE_SHADOW_MAP, 0, TY_ACCESS_SAMPLED); }
+TyBinding shadowMomentsAt(std::uint32_t binding) {
+  return bind(binding, TY_SOURCE_SHADOW_MOMENTS, 0, TY_ACCESS_SAMPLED, TY_SAMPLER_LINEAR_MIPMAP_CLAMP);
+}
+
 TyBinding outputAt(std::uint32_t binding, TyAccess access) { return bind(binding, TY_SOURCE_OUTPUT, 0, access); }
 TyBinding sampledAt(std::uint32_t binding, std::uint32_t image, TySampler sampler) {
   return bind(binding, TY_SOURCE_IMAGE, image, TY_ACCESS_SAMPLED, sampler);
@@ -33,10 +37,16 @@ TyBinding bufferAt(std::uint32_t binding, std::uint32_t buffer, TyAccess access)
   return bind(binding, TY_SOURCE_BUFFER, buffer, access);
 }
 
+TyBinding mipOf(TyBinding binding, std::uint32_t mip) {
+  binding.base_mip = mip;
+  binding.mip_count = 1;
+  return binding;
+}
+
 void LayoutBuilder::clear() { *this = LayoutBuilder(); }
 
 std::uint32_t LayoutBuilder::image(const char* name, TyFormat format, std::uint32_t width, std::uint32_t height,
-                                   std::uint32_t layers, bool array) {
+                                   std::uint32_t layers, bool array, std::uint32_t mips) {
   TyImage made{};
   made.struct_size = sizeof(TyImage);
   made.kind = array ? TY_IMAGE_2D_ARRAY : TY_IMAGE_2D;
@@ -45,7 +55,7 @@ std::uint32_t LayoutBuilder::image(const char* name, TyFormat format, std::uint3
   made.width = width;
   made.height = height;
   made.depth = layers;
-  made.mips = 1;
+  made.mips = mips;
   images_.push_back(made);
   return static_cast<std::uint32_t>(images_.size() - 1);
 }
@@ -59,23 +69,23 @@ std::uint32_t LayoutBuilder::buffer(const char* name, std::uint64_t bytes) {
   return static_cast<std::uint32_t>(buffers_.size() - 1);
 }
 
-std::uint32_t LayoutBuilder::uniform(const char* name, std::uint32_t bytes, bool perLight) {
+std::uint32_t LayoutBuilder::uniform(std::string name, std::uint32_t bytes, bool perLight) {
   TyUniformBlock made{};
   made.struct_size = sizeof(TyUniformBlock);
   made.per_light = perLight ? 1 : 0;
-  made.name = name;
+  made.name = names_.emplace_back(std::move(name)).c_str();
   made.size = bytes;
   uniforms_.push_back(made);
   return static_cast<std::uint32_t>(uniforms_.size() - 1);
 }
 
-void LayoutBuilder::compute(ComputePass pass) {
+std::uint32_t LayoutBuilder::compute(ComputePass pass) {
   passData_.push_back(std::move(pass));
   const ComputePass& data = passData_.back();
   TyPass made{};
   made.struct_size = sizeof(TyPass);
   made.kind = TY_PASS_COMPUTE;
-  made.name = data.name;
+  made.name = data.name.c_str();
   made.shader = data.shader;
   made.bindings = data.bindings.data();
   made.binding_count = static_cast<std::uint32_t>(data.bindings.size());
@@ -89,15 +99,38 @@ void LayoutBuilder::compute(ComputePass pass) {
   made.indirect_buffer = TY_NONE;
   made.caster_uniform = TY_NONE;
   passes_.push_back(made);
+  return static_cast<std::uint32_t>(passes_.size() - 1);
 }
 
-void LayoutBuilder::debugView(const char* name, const char* doc, TySource source, std::uint32_t index, std::uint32_t layer,
+std::uint32_t LayoutBuilder::casters(std::string name, std::uint32_t image, std::uint32_t layer, std::uint32_t uniformBlock) {
+  names_.push_back(std::move(name));
+  TyTarget& target = targets_.emplace_back();
+  target.struct_size = sizeof(TyTarget);
+  target.source = TY_SOURCE_IMAGE;
+  target.index = image;
+  target.layer = layer;
+  target.clear[0] = 1.0f;
+  TyPass made{};
+  made.struct_size = sizeof(TyPass);
+  made.kind = TY_PASS_CASTERS;
+  made.name = names_.back().c_str();
+  made.per_light = 1;
+  made.light_kinds = 1u << TY_LIGHT_DIRECTIONAL;
+  made.depth_target = &target;
+  made.depth_compare = 1;
+  made.indirect_buffer = TY_NONE;
+  made.caster_uniform = uniformBlock;
+  passes_.push_back(made);
+  return static_cast<std::uint32_t>(passes_.size() - 1);
+}
+
+void LayoutBuilder::debugView(std::string name, std::string doc, TySource source, std::uint32_t index, std::uint32_t layer,
                               std::uint32_t channel, float low, float high) {
   TyDebugView made{};
   made.struct_size = sizeof(TyDebugView);
   made.source = source;
-  made.name = name;
-  made.doc = doc;
+  made.name = names_.emplace_back(std::move(name)).c_str();
+  made.doc = names_.emplace_back(std::move(doc)).c_str();
   made.index = index;
   made.layer = layer;
   made.channel = channel;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "technique.hpp"
 #include "tyndall/plugin.h"
 
 namespace volumetrics {
@@ -15,13 +16,16 @@ namespace volumetrics {
 TyBinding uniformAt(std::uint32_t binding, std::uint32_t block);
 TyBinding sceneDepthAt(std::uint32_t binding);
 TyBinding shadowMapAt(std::uint32_t binding);
+TyBinding shadowMomentsAt(std::uint32_t binding);
 TyBinding outputAt(std::uint32_t binding, TyAccess access);
 TyBinding sampledAt(std::uint32_t binding, std::uint32_t image, TySampler sampler = TY_SAMPLER_NEAREST_CLAMP);
 TyBinding storageAt(std::uint32_t binding, std::uint32_t image, TyAccess access = TY_ACCESS_STORAGE_WRITE);
 TyBinding bufferAt(std::uint32_t binding, std::uint32_t buffer, TyAccess access);
+/// The same binding for one mip of its image.
+TyBinding mipOf(TyBinding binding, std::uint32_t mip);
 
 struct ComputePass {
-  const char* name;
+  std::string name;
   const char* shader;
   std::vector<TyBinding> bindings;
   std::uint32_t groupsX = 1, groupsY = 1, groupsZ = 1;
@@ -33,13 +37,20 @@ class LayoutBuilder {
  public:
   void clear();
   std::uint32_t image(const char* name, TyFormat format, std::uint32_t width, std::uint32_t height, std::uint32_t layers = 1,
-                      bool array = false);
+                      bool array = false, std::uint32_t mips = 1);
+  std::uint32_t mipsOf(std::uint32_t image) const { return images_[image].mips; }
+  std::uint32_t layersOf(std::uint32_t image) const { return images_[image].depth; }
   std::uint32_t buffer(const char* name, std::uint64_t bytes);
-  std::uint32_t uniform(const char* name, std::uint32_t bytes, bool perLight);
-  void compute(ComputePass pass);
-  void debugView(const char* name, const char* doc, TySource source, std::uint32_t index, std::uint32_t layer,
+  std::uint32_t uniform(std::string name, std::uint32_t bytes, bool perLight);
+  /// Returns the pass's index.
+  std::uint32_t compute(ComputePass pass);
+  /// Rasterises the casters of every directional light, by the matrix at the start of `uniformBlock`, into one layer of a D32 image:
+  /// cleared to 1, nearer kept. Returns the pass's index.
+  std::uint32_t casters(std::string name, std::uint32_t image, std::uint32_t layer, std::uint32_t uniformBlock);
+  void debugView(std::string name, std::string doc, TySource source, std::uint32_t index, std::uint32_t layer,
                  std::uint32_t channel, float low, float high);
   void tunable(std::uint32_t parameter, double automatic, std::vector<double> variants, std::vector<const char*> passes);
+  LayoutRoles& roles() { return roles_; }
   /// Valid until the next clear().
   const TyLayout& finish();
 
@@ -54,6 +65,8 @@ class LayoutBuilder {
   std::deque<std::vector<double>> variants_;
   std::deque<std::vector<const char*>> passNames_;
   std::deque<std::string> names_;
+  std::deque<TyTarget> targets_;
+  LayoutRoles roles_;
   TyLayout layout_{};
 };
 

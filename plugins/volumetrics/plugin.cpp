@@ -12,6 +12,7 @@ struct TyInstance {
   volumetrics::LayoutBuilder builder;
   const volumetrics::Technique* technique = nullptr;  ///< of the layout last returned; null: nothing to do
   std::uint32_t localLightsReported = 0;
+  bool linearImpossible = false;  ///< as last reported
 };
 
 namespace volumetrics {
@@ -86,7 +87,13 @@ const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStr
 
 bool prepare(TyInstance* instance, const TyFrame* frame, const TyUniformData* out) try {
   if (instance->technique == nullptr) return true;
-  instance->technique->prepare({*frame, *out, readSettings(frame->values, frame->value_count)});
+  volumetrics::FrameReport report;
+  instance->technique->prepare(
+      {*frame, *out, readSettings(frame->values, frame->value_count), instance->builder.roles(), report});
+  if (report.linearImpossible && !instance->linearImpossible)
+    say(TY_LOG_WARNING, "volumetrics.rectification=linear: no projective map exists while the light or its antipode is in view; "
+                        "the epipolar one is used until it does");
+  instance->linearImpossible = report.linearImpossible;
   return true;
 } catch (const std::exception& error) {
   say(TY_LOG_ERROR, std::string("prepare failed: ") + error.what());

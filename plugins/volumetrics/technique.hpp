@@ -16,15 +16,35 @@ namespace volumetrics {
 /// A layout under construction, which owns every array that the ABI struct points to.
 class LayoutBuilder;
 
+/// Passes and blocks of a layout that prepare() must find again.
+struct LayoutRoles {
+  std::uint32_t rectifyPass = TY_NONE;   ///< resampling, skipped in frames with a projective map
+  std::uint32_t casterPass = TY_NONE;    ///< first of the passes that rasterise projective maps, skipped in other frames
+  std::uint32_t casterBlock = TY_NONE;   ///< first of their uniform blocks, one mat4 each
+  std::uint32_t splits = 0;              ///< how many of both
+};
+
+/// What a prepare() has to tell people, once.
+struct FrameReport {
+  bool linearImpossible = false;         ///< rectification=linear, but no projective map exists for this view
+};
+
 /// What prepare() gets, with the values already read.
 struct FrameContext {
   const TyFrame& frame;
   const TyUniformData& out;
   Settings settings;
+  LayoutRoles roles;
+  FrameReport& report;
   /// Block `block` of light `light` (0 for a per-frame block).
   template <class T>
   T& block(std::uint32_t index, std::uint32_t light = 0) const {
     return *reinterpret_cast<T*>(out.data[index] + static_cast<std::size_t>(light) * out.stride[index]);
+  }
+  /// Leaves a pass of one light out of this frame.
+  void skip(std::uint32_t pass, std::uint32_t light) const {
+    // A host of version 1.0 hands in a shorter struct.
+    if (out.struct_size >= sizeof(TyUniformData) && out.skip != nullptr) out.skip[pass * out.skip_stride + light] = 1;
   }
 };
 

@@ -7,18 +7,30 @@
 
 #include <glm/glm.hpp>
 
+#include "geometry/convex.hpp"
 #include "stages/blocks.h"
 
 namespace volumetrics {
 
 using namespace tyndall::shared;
 
-struct EpipolarInput {
+/// Slices uniform in azimuth, or evenly spaced along the screen's border.
+enum class SliceSpacing { kAzimuth, kBorder };
+
+struct RectificationInput {
   RayBlock rays;
   glm::vec3 towards;                          ///< unit, to the light
   std::array<glm::vec3, 8> casterCorners;     ///< box of all casters, world
   std::uint32_t columns = 1024, slices = 1024;
+  SliceSpacing spacing = SliceSpacing::kAzimuth;
 };
+
+/// Corners of the frustum as directions of length one along the optical axis, in order round the screen.
+std::array<glm::dvec3, 4> cornerDirections(const RayBlock& rays);
+/// Inward normals of the frustum's side planes through cornerDirections().
+std::array<glm::dvec3, 4> sidePlanes(const std::array<glm::dvec3, 4>& corners);
+/// True if `direction` lies inside the side planes.
+bool inFrustum(const std::array<glm::dvec3, 4>& planes, const glm::dvec3& direction);
 
 /// Extreme inclinations over the frustum (appendix A): at corners, on edges of the far plane, or 0 and pi when the light or its
 /// antipode is in view. Radians.
@@ -27,7 +39,11 @@ struct InclinationRange {
 };
 InclinationRange inclinationRange(const RayBlock& rays, const glm::vec3& towards);
 
-/// Everything but shadowAlong, which the caller sets from the light's map.
-EpipolarBlock epipolarBlock(const EpipolarInput& input);
+/// What both rectifications share once e1 is chosen: basis, the frustum's side planes and the region in which light can be
+/// blocked (as half-planes; its corners are returned, metres along e1 and e2 from the eye).
+Polygon fillFrame(const RectificationInput& input, const glm::dvec3& e1, RectificationBlock& block);
+
+/// The epipolar rectification. Everything but shadowAlong and the segments, which the caller sets.
+RectificationBlock epipolarBlock(const RectificationInput& input);
 
 }  // namespace volumetrics

@@ -9,6 +9,7 @@
 #include "geometry/camera_rays.hpp"
 #include "geometry/convex.hpp"
 #include "geometry/epipolar_frame.hpp"
+#include "geometry/linear_frame.hpp"
 #include "lib/cpp.hpp"
 
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using namespace volumetrics;
 
 struct Scenario {
-  EpipolarInput input;
+  RectificationInput input;
   std::mt19937 random;
   double uniform(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); }
   glm::dvec3 direction() {
@@ -47,7 +48,7 @@ struct Scenario {
   }
 };
 
-double azimuth(const EpipolarBlock& block, const glm::dvec3& d) {
+double azimuth(const RectificationBlock& block, const glm::dvec3& d) {
   return std::atan2(glm::dot(d, glm::dvec3(block.e2)), glm::dot(d, glm::dvec3(block.e1)));
 }
 
@@ -56,7 +57,7 @@ double azimuth(const EpipolarBlock& block, const glm::dvec3& d) {
 TEST(EpipolarFrame, EveryViewRayIsInsideTheBounds) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     Scenario s(seed);
-    const EpipolarBlock block = epipolarBlock(s.input);
+    const RectificationBlock block = epipolarBlock(s.input);
     ASSERT_NEAR(glm::dot(block.e1, s.input.towards), 0, 1e-5);
     ASSERT_NEAR(glm::dot(block.e1, block.e2), 0, 1e-5);
     double low = 10, high = -10;
@@ -65,15 +66,16 @@ TEST(EpipolarFrame, EveryViewRayIsInsideTheBounds) {
       const double theta = std::acos(std::clamp(glm::dot(d, glm::dvec3(s.input.towards)), -1.0, 1.0));
       low = std::min(low, theta);
       high = std::max(high, theta);
-      ASSERT_GE(theta, block.thetaMin - 1e-4) << seed;
-      ASSERT_LE(theta, block.thetaMax + 1e-4) << seed;
-      const double slice = (azimuth(block, d) - block.phiMin) / block.phiStep;
+      const double depth = (theta - block.depthLow) * block.depthScale;
+      ASSERT_GE(depth, -1e-4) << seed;
+      ASSERT_LE(depth, 1 + 1e-4) << seed;
+      const double slice = (azimuth(block, d) - block.sliceLow) / block.sliceStep;
       ASSERT_GE(slice, -0.01) << seed;
       ASSERT_LE(slice, block.slices + 0.01) << seed;
     }
     // Sharp: no more than the guard band and what random rays miss of the corners.
-    EXPECT_LT(low - block.thetaMin, 0.06 * (high - low) + 0.25) << seed;
-    EXPECT_LT(block.thetaMax - high, 0.06 * (high - low) + 0.25) << seed;
+    EXPECT_LT(low - block.depthLow, 0.06 * (high - low) + 0.25) << seed;
+    EXPECT_LT(block.depthLow + 1 / block.depthScale - high, 0.06 * (high - low) + 0.25) << seed;
   }
 }
 
@@ -81,7 +83,7 @@ TEST(EpipolarFrame, FullCircleExactlyWhenAnEpipoleIsInView) {
   int full = 0, partial = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
     Scenario s(seed);
-    const EpipolarBlock block = epipolarBlock(s.input);
+    const RectificationBlock block = epipolarBlock(s.input);
     const auto onScreen = [&](double sign) {
       const glm::dvec3 a = sign * glm::dvec3(s.input.towards);
       const double depth = glm::dot(a, glm::dvec3(s.input.rays.forward));
@@ -100,7 +102,7 @@ TEST(EpipolarFrame, ShadowedPointsAreInsideTheRegion) {
   int shadowed = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
     Scenario s(seed);
-    const EpipolarBlock block = epipolarBlock(s.input);
+    const RectificationBlock block = epipolarBlock(s.input);
     for (int i = 0; i < 500; ++i) {
       const glm::dvec3 d = s.pixelRay();
       const double far = s.input.rays.zfar / glm::dot(d, glm::dvec3(s.input.rays.forward));
@@ -134,7 +136,7 @@ TEST(EpipolarFrame, SliceRangesContainTheirRays) {
   namespace lib = tyndall::lib::f64;
   for (unsigned seed = 0; seed < 100; ++seed) {
     Scenario s(seed);
-    const EpipolarBlock block = epipolarBlock(s.input);
+    const RectificationBlock block = epipolarBlock(s.input);
     for (int i = 0; i < 300; ++i) {
       const glm::dvec3 d = s.pixelRay();
       const double phi = azimuth(block, d);
@@ -148,6 +150,86 @@ TEST(EpipolarFrame, SliceRangesContainTheirRays) {
       ASSERT_LE(theta, interval.y + 1e-4) << seed;
     }
   }
+}
+
+// Spacing along the border: azimuth and slice are one-to-one both ways, growing, and every ray falls inside.
+TEST(EpipolarFrame, BorderSlicesAreMonotoneAndInvertible) {
+  int spaced = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    Scenario s(seed);
+    s.input.rays.pixelScale = glm::vec2(2.0f / 320, 2.0f / 180);
+    s.input.spacing = SliceSpacing::kBorder;
+    const RectificationBlock block = epipolarBlock(s.input);
+    if (block.slicing != kSlicesByBorder) continue;
+    ++spaced;
+    ASSERT_LE(block.edgeCount, kMaxBorderEdges);
+    double end = 0;
+    for (std::uint32_t i = 0; i < block.edgeCount; ++i) {
+      const BorderEdge& edge = block.edges[i];
+      EXPECT_NEAR(edge.sliceStart, end, 0.02) << seed;
+      end = edge.sliceStart + edge.sliceCount;
+      double before = edge.phiStart - 1e-4;
+      for (int step = 0; step <= 20; ++step) {
+        const glm::dvec2 p = glm::dvec2(edge.start) + glm::dvec2(edge.delta) * (step / 20.0);
+        double phi = std::atan2(p.y, p.x);
+        if (phi < before - 3) phi += 2 * std::numbers::pi;  // -pi and pi are one direction
+        EXPECT_GE(phi, before - 1e-3) << seed << ' ' << i;
+        before = phi;
+      }
+      EXPECT_NEAR(before, edge.phiEnd, 2e-3) << seed << ' ' << i;
+    }
+    EXPECT_NEAR(end, block.slices, 0.1) << seed;
+    for (int i = 0; i < 200; ++i) {
+      const double phi = azimuth(block, s.pixelRay());
+      EXPECT_GE(phi, block.edges[0].phiStart - 1e-3) << seed;
+      EXPECT_LE(phi, block.edges[block.edgeCount - 1].phiEnd + 1e-3) << seed;
+    }
+  }
+  EXPECT_GT(spaced, 200);
+}
+
+// The projective map: a view ray is a row of constant depth, columns grow along it uniformly in 1/x, and the clip matrix says the same
+// as the block that shaders read.
+TEST(LinearFrame, ViewRaysAreRowsOfConstantDepth) {
+  int made = 0, none = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    Scenario s(seed);
+    const auto frame = linearFrame(s.input, 1 + seed % 4);
+    if (!frame) {
+      ++none;
+      continue;
+    }
+    const RectificationBlock& block = frame->block;
+    if (block.polygonCount == 0) continue;
+    ++made;
+    for (int i = 0; i < 50; ++i) {
+      const glm::dvec3 d = s.pixelRay();
+      const double x = glm::dot(d, glm::dvec3(block.e1)), y = glm::dot(d, glm::dvec3(block.e2));
+      ASSERT_GT(x, 0) << seed;
+      const double row = (y / x - block.sliceLow) / block.sliceStep / block.slices;
+      EXPECT_GE(row, -1e-4) << seed;
+      EXPECT_LE(row, 1 + 1e-4) << seed;
+      const double depth = (-glm::dot(d, glm::dvec3(s.input.towards)) / x - block.depthLow) * block.depthScale;
+      EXPECT_GE(depth, -1e-4);
+      EXPECT_LE(depth, 1 + 1e-4);
+      for (std::uint32_t split = 0; split < block.splits; ++split) {
+        const double share = s.uniform(0, 1);
+        const double inverse = block.inverse[split] + share * (static_cast<double>(block.inverse[split + 1]) - block.inverse[split]);
+        const glm::vec3 world = glm::vec3(glm::dvec3(s.input.rays.eye) + d / (x * inverse));
+        const glm::vec4 clip = frame->clipFromWorld[split] * glm::vec4(world, 1);
+        ASSERT_GT(clip.w, 0) << seed;
+        // Float matrices far from the origin: the tolerance follows the size of what is subtracted.
+        const double tolerance = 2e-3 + 2e-5 * (glm::length(world) + 60) / clip.w;
+        EXPECT_NEAR(clip.x / clip.w, 2 * row - 1, tolerance * (1 + 2 / (block.sliceStep * block.slices))) << seed;
+        EXPECT_NEAR(clip.z / clip.w, depth, tolerance * (1 + block.depthScale)) << seed;
+        if (frame->block.inverse[split] < 2 * frame->block.inverse[split + 1]) continue;  // a thin split: ill-conditioned in float
+        EXPECT_NEAR(clip.y / clip.w, 2 * share - 1, 10 * tolerance) << seed;
+      }
+    }
+    EXPECT_GE(frame->lastColumn, frame->evenColumn * 0.99 / block.splits) << seed;
+  }
+  EXPECT_GT(made, 60);
+  EXPECT_GT(none, 60);  // every fifth scenario looks into or away from the light
 }
 
 TEST(Convex, IntersectionMatchesPointSampling) {

@@ -4,15 +4,21 @@
 #include "params/rows.h"
 
 #define TY_RECTIFIED_PARAMS(INT, FLOAT, ENUM, BOOL)                                                                      \
-  ENUM(rectification, "volumetrics.rectification", "Rectification", 2, 0x3, "auto|linear|epipolar",                      \
+  ENUM(rectification, "volumetrics.rectification", "Rectification", 2, 0, "auto|linear|epipolar",                        \
        TY_PARAMETER_STRUCTURAL,                                                                                          \
-       "How the shadow map is turned so that view rays are rows: one projective matrix, or resampling in epipolar "      \
-       "coordinates.")                                                                                                   \
+       "How the shadow map is turned so that view rays are rows: linear is one projective matrix, rasterised straight into; " \
+       "epipolar resamples the shadow map; auto takes linear where its columns are even enough and the light is off the " \
+       "screen. Where no projective map exists (the light or its antipode in view), linear uses epipolar and says so.")  \
+  INT(splits, "volumetrics.splits", "Splits", 1, 1, 4, 1, 4, "maps", TY_PARAMETER_STRUCTURAL,                            \
+      "Maps of growing size that the linear rectification is split into, each of columns x slices texels.")              \
+  FLOAT(depth_warp, "volumetrics.depth_warp", "Depth warp", 0, 0, 1, "", 0,                                              \
+        "Stretches the rectified depth towards the light, where epipolar depth has little precision: the normalised "    \
+        "depth is raised to 1/(1 + warp).")                                                                              \
   INT(columns, "volumetrics.columns", "Columns", 1024, 64, 4096, 64, 4096, "texels", TY_PARAMETER_STRUCTURAL,            \
       "Samples along a slice of the rectified map.")                                                                     \
   INT(slices, "volumetrics.slices", "Slices", 1024, 64, 4096, 64, 4096, "texels", TY_PARAMETER_STRUCTURAL,               \
       "Epipolar slices of the rectified map.")                                                                           \
-  ENUM(slice_spacing, "volumetrics.slice_spacing", "Slice spacing", 0, 0x2, "azimuth|border", TY_PARAMETER_STRUCTURAL,   \
+  ENUM(slice_spacing, "volumetrics.slice_spacing", "Slice spacing", 0, 0, "azimuth|border", TY_PARAMETER_STRUCTURAL,     \
        "Slices uniform in azimuth, or spaced evenly along the border of the screen.")                                    \
   INT(reference_rays, "volumetrics.reference_rays", "Reference rays", 3, 1, 6, 1, 6, "", TY_PARAMETER_STRUCTURAL,        \
       "Inclinations a slice for which the weighted prefix is kept; results are interpolated between them. 1 is the "     \
@@ -25,17 +31,22 @@
   BOOL(prefix_bounds, "volumetrics.prefix_bounds", "Prefix bounds", 1, 0, TY_PARAMETER_STRUCTURAL,                       \
        "Keep the prefix minimum and maximum of the rectified depth: fully lit and fully shadowed rays are then exact "   \
        "and need no reconstruction.")                                                                                    \
-  ENUM(prefix_scheme, "volumetrics.prefix_scheme", "Prefix scheme", 0, 0x8, "auto|row|block|scan",                       \
+  INT(regions, "volumetrics.regions", "Regions", 1, 1, 8, 1, 8, "", TY_PARAMETER_STRUCTURAL,                             \
+      "Parts into which the columns of a map are split for the prefix: more parallel, one look-up more per region passed, " \
+      "and joined with the ray's own weights.")                                                                          \
+  ENUM(prefix_scheme, "volumetrics.prefix_scheme", "Prefix scheme", 0, 0, "auto|row|block|scan",                         \
        TY_PARAMETER_STRUCTURAL,                                                                                          \
        "One invocation a slice, 8x8 blocks (Peters, appendix C), or a workgroup scan; auto measures which is fastest.")  \
-  ENUM(row_filter, "volumetrics.row_filter", "Row filter", 1, 0x4, "nearest|linear|mipmapped", TY_PARAMETER_STRUCTURAL,  \
-       "Interpolation between slices when the prefix is read.")                                                          \
-  BOOL(filtered_resampling, "volumetrics.filtered_resampling", "Filtered resampling", 0, 0x2, TY_PARAMETER_STRUCTURAL,   \
+  ENUM(row_filter, "volumetrics.row_filter", "Row filter", 1, 0, "nearest|linear|mipmapped", TY_PARAMETER_STRUCTURAL,    \
+       "Interpolation between slices when the prefix is read; mipmapped also averages slices that share a pixel. min_max, whose " \
+       "rows are depths, takes mipmapped as linear.")                                                                    \
+  BOOL(filtered_resampling, "volumetrics.filtered_resampling", "Filtered resampling", 0, 0, TY_PARAMETER_STRUCTURAL,     \
        "Resample from a filtered moment shadow map instead of single shadow-map texels.")                                \
-  INT(epipole_block, "volumetrics.epipole_block", "Epipole block", 0, 0, 64, 0, 0, "pixels", 0,                          \
-      "Radius around the epipole within which rays are marched.")                                                        \
-  BOOL(near_correction, "volumetrics.near_correction", "Near correction", 0, 0x2, 0,                                     \
-       "Klehm's correction for the part of a ray before the near plane (linear rectification).")                         \
+  INT(epipole_block, "volumetrics.epipole_block", "Epipole block", 0, 0, 64, 0, 64, "pixels", 0,                         \
+      "Radius of the block around the light on screen (and its antipode) in which rays are marched densely.")            \
+  BOOL(near_correction, "volumetrics.near_correction", "Near correction", 0, 0, 0,                                       \
+       "Klehm's section 3.1, linear rectification: what lies before the camera's near plane is taken off, instead of sharing " \
+       "the row's average.")                                                                                             \
   BOOL(reuse, "volumetrics.reuse", "Reuse", 0, 0x2, 0, "Keep what has not changed since the last frame.")
 
 #endif

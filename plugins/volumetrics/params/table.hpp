@@ -7,6 +7,7 @@
 #include "params/common.params.h"
 #include "params/rectified.params.h"
 #include "params/reserved.params.h"
+#include "techniques/fourier/fourier.params.h"
 #include "techniques/moments/moments.params.h"
 #include "techniques/ray_march/ray_march.params.h"
 #include "tyndall/plugin.h"
@@ -16,6 +17,7 @@
   TY_RAY_MARCH_PARAMS(INT, FLOAT, ENUM, BOOL)   \
   TY_RECTIFIED_PARAMS(INT, FLOAT, ENUM, BOOL)   \
   TY_MOMENTS_PARAMS(INT, FLOAT, ENUM, BOOL)     \
+  TY_FOURIER_PARAMS(INT, FLOAT, ENUM, BOOL)     \
   TY_RESERVED_PARAMS(INT, FLOAT, ENUM, BOOL)
 
 namespace volumetrics {
@@ -27,6 +29,8 @@ struct Settings {
 
 enum class Overestimation { kLower, kHalf, kUpper, kAdaptive };
 enum class Precision { kCompact, kStandard, kFull };
+enum class Rectification { kAuto, kLinear, kEpipolar };
+enum class RowFilter { kNearest, kLinear, kMipmapped };
 enum class PrefixScheme { kAuto, kRow, kBlock, kScan };
 
 /// The ABI table; valid for the library's life. Choices of the technique parameter that no registered technique has (but for

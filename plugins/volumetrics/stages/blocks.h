@@ -29,21 +29,45 @@ struct SunBlock {
 };
 
 const uint kMaxPolygon = 24u;
+const uint kMaxBorderEdges = 5u;
+const uint kMaxSplits = 4u;
 
-// The epipolar frame of one sun (see lib/epipolar.glsl). Slices: azimuth phiMin + (i + 1/2) phiStep about `towards`, measured
-// from e1 towards e2.
-struct EpipolarBlock {
+// How the index of a slice follows from a direction's components (x, y) along e1 and e2.
+const int kSlicesByAzimuth = 0;  // uniform in atan(y, x)
+const int kSlicesByBorder = 1;   // uniform along the border of the screen (Baran et al. 2010; Klehm et al. 2014, section 4.1)
+const int kSlicesByTangent = 2;  // uniform in y/x: the projective (linear) rectification (Klehm et al. 2014, section 4.2)
+
+// One straight part of the screen's border, seen along the light: from `start` to `start + delta`, azimuth growing.
+struct BorderEdge {
+  vec2 start, delta;
+  float phiStart, phiEnd;        // rad
+  float sliceStart, sliceCount;  // in slices
+};
+
+// How view rays become rows (see lib/epipolar.glsl). Epipolar: a column is a distance from the axis, spread per slice over
+// [first, last] of its Slice; depth is the inclination. Projective: columns are uniform in 1/x, x the distance along e1, depth is
+// the height over x (the cotangent of the inclination, over the cosine of the azimuth).
+struct RectificationBlock {
   vec3 e1, e2;             // unit, perpendicular to the light's direction
-  float phiMin, phiStep;   // rad
-  float thetaMin, thetaMax;  // range of the rectified depth, rad, guard band included
+  int slicing;             // kSlicesBy...
+  float sliceLow, sliceStep;  // azimuth (rad) or tangent of slice coordinate 0, and its change per slice
+  float depthLow, depthScale; // normalised depth = ((inclination, or minus height over x) - depthLow) * depthScale, guard band included
+  float depthPower;        // warp: the normalised depth is raised to this power; 1 is none
   float meanTheta;         // mean of the extreme inclinations of the frustum, rad
   uint fullCircle;         // 1: slices wrap round (an epipole is on the screen)
-  uint columns, slices;
+  uint columns, slices;    // of one map
+  uint splits;             // maps one behind the other; more than one with the projective rectification only
+  uint segments;           // parts of a map's columns that are prefixed each on its own ("regions")
+  uint segmentColumns;     // length of one; the last may be shorter
+  uint nearLit;            // 1: what lies before the first column is known to be lit; 0: it is not in the map
+  float inverse[5];        // projective: 1/x at the borders of the splits, 1/m, falling
   vec3 shadowAlong;        // change of shadow texel and depth per metre towards the light (x, y are 0)
   uint planeCount;         // side planes of the frustum in the basis (e1, e2, towards); inside: dot >= 0
   vec3 planes[4];
   uint polygonCount;       // half-planes dot(n, p) <= h of the region, around the axis, in which light rays can be blocked;
   vec3 polygon[kMaxPolygon];  // (n.x, n.y, h), metres; 0 half-planes: nothing can be blocked
+  uint edgeCount;
+  BorderEdge edges[kMaxBorderEdges];
 };
 
 TY_SHARED_END

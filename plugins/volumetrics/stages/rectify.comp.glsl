@@ -1,35 +1,62 @@
 // Resamples a sun's shadow map into epipolar coordinates (Peters et al. 2017, section 5.1.1; Baran et al. 2010).
-// Inputs: Slice buffer; shadow map (D32 array, layer 0). Output: R16 unorm or R32F, slices x columns: inclination of the first
-// blocker on the light ray through (slice, column), normalised to the frame's range; 1 where nothing blocks.
+// Inputs: Slice buffer; shadow map (D32 array, layer 0) or, for filtered resampling (section 5.2, algorithm 2), the four-moment
+// shadow map. Output, slices x columns: normalised depth of the first blocker on the light ray through (slice, column), 1 where
+// nothing blocks: R16 unorm or R32F; filtered: RGBA16 unorm or RGBA32F, the depths of two blockers and the second's share.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/portable.h"
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/moments.glsl"
 #include "stages/rectified.h"
 
+vec4 twoDepths(vec4 b) { return vec4(b.x, b.x, 1.0, 0.0); } // REPLACE
 layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = 0) const bool kFiltered = false;
+layout(constant_id = 1) const bool kQuantisedMoments = true;  // of the moment shadow map
 layout(binding = 0, scalar) uniform Light { RectifiedSunBlock light; };
 layout(binding = 1, scalar) readonly buffer Slices { Slice slices[]; };
-layout(binding = 2) uniform sampler2DArray shadowMap;
-layout(binding = 3) uniform writeonly image2D rectified;
+layout(binding = 2) uniform sampler2DArray shadowMap;   // depth, nearest; or moments, linear and mipmapped
+layout(binding = 3) uniform writeonly image2DArray rectified;
+
+#include "stages/rows.glsl"
+
+// Moments of 16 bit place the empty background (depth 1) this exactly.
+const float kEmpty = 1.0 - 2e-3;
+
+// Normalised depth at distance c from the axis, x along e1, of a blocker at a stored depth; `p` is the light ray's foot in the map.
+float blockerDepth(float c, float x, vec3 p, float stored) {
+  // Height above the eye's plane, towards the light, at which the light ray reaches the stored depth.
+  return rectifiedDepth(c, x, (stored - p.z) / light.map.shadowAlong.z);
+}
 
 void main() {
   uvec2 at = gl_GlobalInvocationID.xy;
-  if (at.x >= light.epipolar.slices || at.y >= light.epipolar.columns) return;
-  float first = slices[at.x].first;
-  float last = slices[at.x].last;
-  float column = first + (float(at.y) + 0.5) * (last - first) / float(light.epipolar.columns);
-  vec3 p = light.sun.shadowEye + column * slices[at.x].shadowStep;
-  float depth = 1.0;
-  if (last > first && all(greaterThanEqual(p.xy, vec2(0.0))) && all(lessThan(p.xy, vec2(light.sun.shadowSize)))) {
-    float stored = texelFetch(shadowMap, ivec3(ivec2(p.xy), 0), 0).x;
-    if (stored < 1.0) {
-      // Height above the eye's plane, towards the light, at which the light ray reaches the stored depth.
-      float height = (stored - p.z) / light.epipolar.shadowAlong.z;
-      depth = normalisedInclination(inclination(column, height), light.epipolar.thetaMin, light.epipolar.thetaMax);
+  if (at.x >= light.map.slices || at.y >= light.map.columns) return;
+  Slice s = slices[at.x];
+  float c = columnDistance(s, float(at.y) + 0.5);
+  float x = c * s.direction.x;
+  vec3 p = light.sun.shadowEye + c * s.shadowStep;
+  vec4 result = vec4(1.0, 1.0, 0.0, 0.0);
+  bool inside = all(greaterThanEqual(p.xy, vec2(0.0))) && all(lessThan(p.xy, vec2(light.sun.shadowSize)));
+  if (s.last > s.first && inside) {
+    if (kFiltered) {
+      // Footprint in shadow texels of one column and of one slice.
+      vec2 along = s.shadowStep.xy * (s.last - s.first) / float(light.map.columns);
+      vec2 across = c * length(s.shadowStep.xy) * (sliceDirection(float(at.x) + 1.0) - sliceDirection(float(at.x)));
+      float lod = max(log2(max(max(length(along), length(across)), 1e-6)), 0.0);
+      vec4 b = textureLod(shadowMap, vec3(p.xy / light.sun.shadowSize, 0.0), lod);
+      if (kQuantisedMoments) b = dequantise4(b);
+      vec4 two = twoDepths(b);  // z1, z2, w1, w2: depths in [-1, 1], 1 where nothing was drawn
+      vec2 stored = clamp(two.xy * 0.5 + 0.5, 0.0, 1.0);
+      float first = stored.x < kEmpty ? blockerDepth(c, x, p, stored.x) : 1.0;
+      float second = stored.y < kEmpty ? blockerDepth(c, x, p, stored.y) : 1.0;
+      result = vec4(first, second, two.w, 0.0);
+    } else {
+      float stored = texelFetch(shadowMap, ivec3(ivec2(p.xy), 0), 0).x;
+      if (stored < 1.0) result.x = blockerDepth(c, x, p, stored);
     }
   }
-  imageStore(rectified, ivec2(at), vec4(depth));
+  imageStore(rectified, ivec3(at, 0), result);
 }

@@ -1,52 +1,136 @@
 #include "stages/rectify.hpp"
 
+#include <cstring>
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include "geometry/camera_rays.hpp"
-#include "geometry/epipolar_frame.hpp"
+#include "geometry/linear_frame.hpp"
 #include "stages/suns.hpp"
 
 namespace volumetrics {
+namespace {
 
-RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, std::uint32_t frameBlock, std::uint32_t sunBlock,
-                        TyFormat format) {
-  const auto slices = static_cast<std::uint32_t>(context.settings.slices);
-  const auto columns = static_cast<std::uint32_t>(context.settings.columns);
-  const auto rays = static_cast<std::uint32_t>(context.settings.reference_rays);
+/// Segments are whole multiples of this, so that three mip levels never mix two of them.
+constexpr std::uint32_t kSegmentAlignment = 8;
+
+Rectification rectification(const Settings& settings) { return static_cast<Rectification>(settings.rectification); }
+
+void setSegments(RectificationBlock& map, std::uint32_t regions) {
+  const std::uint32_t even = (map.columns + regions - 1) / regions;
+  map.segmentColumns = (even + kSegmentAlignment - 1) / kSegmentAlignment * kSegmentAlignment;
+  map.segments = (map.columns + map.segmentColumns - 1) / map.segmentColumns;
+}
+
+/// Where a direction meets the screen, pixels; far off the screen if it never does.
+glm::vec2 onScreen(const RayBlock& rays, const glm::vec3& direction) {
+  const float along = glm::dot(direction, rays.forward);
+  if (along < 1e-6f) return glm::vec2(-1e9f);
+  const glm::vec2 ndc(glm::dot(direction, rays.right) / (glm::dot(rays.right, rays.right) * along),
+                      -glm::dot(direction, rays.up) / (glm::dot(rays.up, rays.up) * along));
+  return (ndc + 1.0f) / rays.pixelScale;
+}
+
+/// The map of this frame and, if it is projective, the matrices of its splits.
+RectificationBlock chooseMap(const FrameContext& context, const RectificationInput& input, std::uint32_t light) {
+  const Settings& settings = context.settings;
+  if (rectification(settings) != Rectification::kEpipolar) {
+    const auto linear = linearFrame(input, static_cast<std::uint32_t>(settings.splits));
+    if (!linear && rectification(settings) == Rectification::kLinear) context.report.linearImpossible = true;
+    if (linear && (rectification(settings) == Rectification::kLinear || columnsAreEvenEnough(*linear))) {
+      for (std::uint32_t i = 0; i < context.roles.splits; ++i) {
+        auto& matrix = context.block<glm::mat4>(context.roles.casterBlock + i, light);
+        matrix = linear->clipFromWorld[i];
+        if (linear->block.polygonCount == 0) context.skip(context.roles.casterPass + i, light);
+      }
+      context.skip(context.roles.rectifyPass, light);
+      return linear->block;
+    }
+    for (std::uint32_t i = 0; i < context.roles.splits; ++i) {
+      context.block<glm::mat4>(context.roles.casterBlock + i, light) = glm::mat4(0.0f);
+      context.skip(context.roles.casterPass + i, light);
+    }
+  }
+  return epipolarBlock(input);
+}
+
+}  // namespace
+
+void addRowBlocks(LayoutBuilder& builder) {
+  builder.uniform("frame", sizeof(RectifiedBlock), false);
+  builder.uniform("sun", sizeof(RectifiedSunBlock), true);
+}
+
+RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, DepthBits bits, bool filterable) {
+  const Settings& settings = context.settings;
+  const auto columns = static_cast<std::uint32_t>(settings.columns);
+  const auto rays = static_cast<std::uint32_t>(settings.reference_rays);
+  const bool projective = rectification(settings) != Rectification::kEpipolar;
   RectifyStage stage;
-  stage.sliceBuffer = builder.buffer("slices", sizeof(Slice) * std::uint64_t{slices});
-  stage.rectified = builder.image("rectified", format, slices, columns);
+  stage.slices = static_cast<std::uint32_t>(settings.slices);
+  stage.rows = columns * (projective ? static_cast<std::uint32_t>(settings.splits) : 1);
+  stage.filtered = filterable && settings.filtered_resampling != 0;
+  const TyFormat single = bits == DepthBits::k16 ? TY_FORMAT_R16_UNORM : TY_FORMAT_R32_FLOAT;
+  const TyFormat pair = bits == DepthBits::k16 ? TY_FORMAT_RGBA16_UNORM : TY_FORMAT_RGBA32_FLOAT;
+
+  stage.sliceBuffer = builder.buffer("slices", sizeof(Slice) * std::uint64_t{stage.slices});
+  stage.rectified = builder.image("rectified", stage.filtered ? pair : single, stage.slices, columns, 1, true);
   builder.compute({"slices", "slices.comp",
-                   {uniformAt(0, frameBlock), uniformAt(1, sunBlock), bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_WRITE)},
-                   (slices + 63) / 64, 1, 1, true, {{0, rays}}});
-  builder.compute({"rectify", "rectify.comp",
-                   {uniformAt(0, sunBlock), bufferAt(1, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(2),
-                    storageAt(3, stage.rectified)},
-                   groups8(slices), groups8(columns), 1, true, {}});
-  builder.debugView("rectified", "Rectified map: slices along x, columns along y; inclination of the first blocker, white = none",
+                   {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_WRITE)},
+                   (stage.slices + 63) / 64, 1, 1, true, {{0, rays}}});
+  builder.roles().rectifyPass = builder.compute(
+      {"rectify", "rectify.comp",
+       {uniformAt(0, kSunBlock), bufferAt(1, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
+        stage.filtered ? shadowMomentsAt(2) : shadowMapAt(2), storageAt(3, stage.rectified)},
+       groups8(stage.slices), groups8(columns), 1, true, {{0, stage.filtered ? 1u : 0u}}});
+  builder.debugView("rectified", "Rectified map, resampled: slices along x, columns along y; depth of the first blocker, white = none",
                     TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f);
+  builder.debugView("shadow_map", "The first light's shadow map that the rows are made of", TY_SOURCE_SHADOW_MAP, 0, 0, 0, 0.0f, 1.0f);
+  stage.projective = stage.rectified;
+  if (!projective) return stage;
+
+  const auto splits = static_cast<std::uint32_t>(settings.splits);
+  stage.projective = builder.image("projective", TY_FORMAT_D32_FLOAT, stage.slices, columns, splits, true);
+  builder.roles().splits = splits;
+  for (std::uint32_t i = 0; i < splits; ++i) {
+    const std::string name = "split " + std::to_string(i);
+    const std::uint32_t block = builder.uniform(name, sizeof(glm::mat4), true);
+    const std::uint32_t pass = builder.casters("rectify linear " + std::to_string(i), stage.projective, i, block);
+    if (i == 0) builder.roles().casterBlock = block;
+    if (i == 0) builder.roles().casterPass = pass;
+    builder.debugView("projective_" + std::to_string(i),
+                      "Rectified map, rasterised, of split " + std::to_string(i) + ": slices along x, columns along y; white = no blocker",
+                      TY_SOURCE_IMAGE, stage.projective, i, 0, 0.0f, 1.0f);
+  }
   return stage;
 }
 
-void prepareRectify(const FrameContext& context, std::uint32_t frameBlock, std::uint32_t sunBlock_) {
-  auto& frame = context.block<RectifiedBlock>(frameBlock);
-  frame.rays = rayBlock(*context.frame.view, context.settings);
-  frame.rectified.reference_ray = context.settings.reference_ray;
-  frame.rectified.weights = context.settings.weights;
+void prepareRectify(const FrameContext& context) {
+  const Settings& settings = context.settings;
+  auto& frame = context.block<RectifiedBlock>(kFrameBlock);
+  frame.rays = rayBlock(*context.frame.view, settings);
+  frame.rectified.reference_ray = settings.reference_ray;
+  frame.rectified.weights = settings.weights;
+  frame.rectified.near_correction = settings.near_correction;
+  frame.rectified.epipole_block = settings.epipole_block;
   for (std::uint32_t i = 0; i < context.frame.light_count; ++i) {
     const TyLight& light = context.frame.lights[i];
     if (light.kind != TY_LIGHT_DIRECTIONAL) continue;
-    auto& block = context.block<RectifiedSunBlock>(sunBlock_, i);
+    auto& block = context.block<RectifiedSunBlock>(kSunBlock, i);
     block.sun = sunBlock(light, frame.rays.eye);
-    EpipolarInput input;
+    RectificationInput input;
     input.rays = frame.rays;
     input.towards = block.sun.towards;
     for (std::size_t corner = 0; corner < 8; ++corner) input.casterCorners[corner] = glm::make_vec3(light.caster_corners[corner]);
-    input.columns = static_cast<std::uint32_t>(context.settings.columns);
-    input.slices = static_cast<std::uint32_t>(context.settings.slices);
-    block.epipolar = epipolarBlock(input);
+    input.columns = static_cast<std::uint32_t>(settings.columns);
+    input.slices = static_cast<std::uint32_t>(settings.slices);
+    input.spacing = static_cast<SliceSpacing>(settings.slice_spacing);
+    block.map = chooseMap(context, input, i);
+    setSegments(block.map, static_cast<std::uint32_t>(settings.regions));
+    block.map.depthPower = 1.0f / (1.0f + settings.depth_warp);
     const glm::vec3 a = block.sun.towards;
-    block.epipolar.shadowAlong = block.sun.shadowX * a.x + block.sun.shadowY * a.y + block.sun.shadowZ * a.z;
+    block.map.shadowAlong = block.sun.shadowX * a.x + block.sun.shadowY * a.y + block.sun.shadowZ * a.z;
+    block.epipoles = glm::vec4(onScreen(frame.rays, a), onScreen(frame.rays, -a));
   }
 }
 

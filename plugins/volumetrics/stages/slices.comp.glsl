@@ -1,7 +1,8 @@
 // One record per slice: its columns' span, its range of reference inclinations, its direction in the shadow map.
 // Input: the epipolar frame (uniform). Output: Slice buffer.
 // Spans: the ray from the axis in the slice's azimuth, cut by the convex region in which light can be blocked. Range of theta: the
-// half-plane of the slice cut by the frustum's side planes, at the slice's middle and both borders.
+// half-plane of the slice cut by the frustum's side planes, at the slice's middle and both borders. Projective maps have one
+// span for all slices along e1.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,55 +17,62 @@ layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
 layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
 layout(binding = 2, scalar) buffer Slices { Slice slices[]; };
 
-const float kPi = 3.14159265358979;
-const int kBisectrix = 0, kMean = 2;
+#include "stages/rows.glsl"
 
-vec2 thetaRange(float phi) {
+const int kBisectrix = 0, kMean = 2;
+const float kMostLookBack = 8.0;
+
+// Inclinations of the frustum in the half-plane of a direction along (e1, e2).
+vec2 thetaRange(vec2 direction) {
   vec2 interval = vec2(0.0, kPi);
-  float c = cos(phi);
-  float s = sin(phi);
-  for (uint i = 0u; i < light.epipolar.planeCount; ++i) {
-    vec3 n = light.epipolar.planes[i];
-    interval = clipToFrustumPlane(interval, n.z, n.x * c + n.y * s);
+  for (uint i = 0u; i < light.map.planeCount; ++i) {
+    vec3 n = light.map.planes[i];
+    interval = clipToFrustumPlane(interval, n.z, dot(n.xy, direction));
   }
   return interval;
 }
 
 void main() {
   uint i = gl_GlobalInvocationID.x;
-  if (i >= light.epipolar.slices) return;
-  float phi = light.epipolar.phiMin + (float(i) + 0.5) * light.epipolar.phiStep;
-  vec2 direction = vec2(cos(phi), sin(phi));
+  if (i >= light.map.slices) return;
+  Slice record;
+  record.direction = sliceDirection(float(i) + 0.5);
+  record.perX = 1.0 / max(record.direction.x, 1e-6);
 
-  vec2 span = light.epipolar.polygonCount > 0u ? vec2(0.0, 1e30) : vec2(1.0, 0.0);
-  for (uint j = 0u; j < light.epipolar.polygonCount; ++j) {
-    vec3 halfPlane = light.epipolar.polygon[j];
-    span = clipToHalfPlane(span, dot(halfPlane.xy, direction), halfPlane.z);
+  vec2 span = light.map.polygonCount > 0u ? vec2(0.0, 1e30) : vec2(1.0, 0.0);
+  if (light.map.slicing == kSlicesByTangent) {
+    if (light.map.polygonCount > 0u) span = record.perX / vec2(light.map.inverse[0], light.map.inverse[light.map.splits]);
+  } else {
+    for (uint j = 0u; j < light.map.polygonCount; ++j) {
+      vec3 halfPlane = light.map.polygon[j];
+      span = clipToHalfPlane(span, dot(halfPlane.xy, record.direction), halfPlane.z);
+    }
   }
   if (span.y <= span.x) span = vec2(0.0);
+  record.first = span.x;
+  record.last = span.y;
 
   vec2 theta = vec2(kPi, 0.0);
-  for (int side = -1; side <= 1; ++side) {
-    vec2 cut = thetaRange(phi + 0.5 * float(side) * light.epipolar.phiStep);
+  for (int side = 0; side <= 2; ++side) {
+    vec2 cut = thetaRange(sliceDirection(float(i) + 0.5 * float(side)));
     if (cut.y >= cut.x) theta = vec2(min(theta.x, cut.x), max(theta.y, cut.y));
   }
-  if (theta.y < theta.x) theta = vec2(light.epipolar.meanTheta);  // a slice that no pixel falls into
+  if (theta.y < theta.x) theta = vec2(light.map.meanTheta);  // a slice that no pixel falls into
   float atLow = referenceCoordinate(theta.x);
   float atHigh = referenceCoordinate(theta.y);
   bool straddles = theta.x < 0.5 * kPi && theta.y > 0.5 * kPi;
   vec2 nodes = vec2(min(atLow, atHigh), straddles ? 0.0 : max(atLow, atHigh));
   if (kReferenceRays == 1) {
     if (frame.rectified.reference_ray == kBisectrix) nodes = vec2(referenceCoordinate(0.5 * (theta.x + theta.y)));
-    if (frame.rectified.reference_ray == kMean) nodes = vec2(referenceCoordinate(light.epipolar.meanTheta));
+    if (frame.rectified.reference_ray == kMean) nodes = vec2(referenceCoordinate(light.map.meanTheta));
   }
-
-  vec3 world = direction.x * light.epipolar.e1 + direction.y * light.epipolar.e2;
-  Slice record;
-  record.first = span.x;
-  record.last = span.y;
   record.nodeLow = nodes.x;
   record.nodeHigh = nodes.y;
+
+  vec3 world = record.direction.x * light.map.e1 + record.direction.y * light.map.e2;
   record.shadowStep = light.sun.shadowX * world.x + light.sun.shadowY * world.y + light.sun.shadowZ * world.z;
-  record.unused_ = 0.0;
+  // A resampled blocker may stand as far off as one shadow texel; a rasterised one as far as half a column, to either side.
+  float texelsAColumn = length(record.shadowStep.xy) * (span.y - span.x) / float(light.map.columns);
+  record.lookBack = light.map.slicing == kSlicesByTangent ? 2.0 : 1.0 + clamp(ceil(1.0 / max(texelsAColumn, 1e-6)), 1.0, kMostLookBack - 1.0);
   slices[i] = record;
 }

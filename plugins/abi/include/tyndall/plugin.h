@@ -1,4 +1,4 @@
-/* Tyndall plugin ABI, version 1.0. One header, C11 and C++20, no other dependency.
+/* Tyndall plugin ABI, version 1.1. One header, C11 and C++20, no other dependency.
  *
  * A plugin is a shared library with one exported symbol, `tyndall_plugin` (a TyPlugin). It owns no GPU object and
  * calls no graphics API: it describes, as plain data, the images, buffers and passes that its host makes and runs for
@@ -19,6 +19,7 @@
  *   keeps (strings too) and never frees a plugin's memory. Pointers that a host hands in are valid during the call.
  * - Errors: a function returns false (or null) after one log line through TyHost.log; it never throws, aborts or exits.
  * - Strings: UTF-8, zero-terminated, never null unless stated.
+ * - New in 1.1: TyUniformData.skip; a pass may sample and store to different parts of one image (TyBinding).
  * - Units: metres, radians, seconds; linear colour; matrices column-major, named result_from_source; view space looks
  *   down -Z, +Y up; clip space is Vulkan's (x right, y down, z in [0, 1]); depth of the scene is reversed (1 at the
  *   near plane, 0 at the far plane or where nothing was drawn).
@@ -35,7 +36,7 @@ extern "C" {
 #endif
 
 #define TY_ABI_MAJOR 1u
-#define TY_ABI_MINOR 0u
+#define TY_ABI_MINOR 1u
 #define TY_ABI_VERSION ((TY_ABI_MAJOR << 16) | TY_ABI_MINOR)
 #define TY_ABI_MAJOR_OF(version) ((version) >> 16)
 #define TY_ABI_MINOR_OF(version) ((version)&0xffffu)
@@ -171,7 +172,8 @@ typedef enum TySource {
   TY_SOURCE_UNIFORM = 2,       /* TyLayout.uniforms[index]; in a per-light pass, that light's block */
   TY_SOURCE_SCENE_DEPTH = 3,   /* D32, reversed; width x height; index 0 */
   TY_SOURCE_SHADOW_MAP = 4,    /* per-light passes only: the light's map, D32 array (1 layer; 6 faces +X -X +Y -Y +Z -Z for a point light) */
-  TY_SOURCE_OUTPUT = 5         /* the plugin's result: RGBA32F, width x height: RGB in-scattered radiance, A transmittance */
+  TY_SOURCE_OUTPUT = 5,        /* the plugin's result: RGBA32F, width x height: RGB in-scattered radiance, A transmittance */
+  TY_SOURCE_SHADOW_MOMENTS = 6 /* version 1.1, per-light passes only: the light's four-moment shadow map, 2D array with mips */
 } TySource;
 
 typedef enum TyAccess {
@@ -188,7 +190,10 @@ typedef enum TySampler {
 } TySampler;
 
 /* A pass uses each image and each buffer in one way: several sampled bindings of one image are one way, sampling it and
- * storing to it are two. Full-screen passes sample images, read buffers (TY_ACCESS_STORAGE_READ) and take uniform blocks;
+ * storing to it are two. Since 1.1 one exception: bindings of a compute pass that reach different parts of one image
+ * (mips base_mip .. base_mip + mip_count - 1 of layers base_layer .. base_layer + layer_count - 1) may differ in access,
+ * sampled here and stored to there, as long as no part that is written is reached by another binding; so a pass makes
+ * one mip from another. Full-screen passes sample images, read buffers (TY_ACCESS_STORAGE_READ) and take uniform blocks;
  * storing is for compute passes. Depth and integer formats take nearest samplers only. */
 typedef struct TyBinding {
   uint32_t struct_size;
@@ -346,12 +351,20 @@ typedef struct TyFrame {
   const double* values;          /* current parameter values, in table order (tunables: the variant in use) */
 } TyFrame;
 
-/* Where prepare() writes: block i of the layout starts at data[i]; a per-light block of light l at data[i] + l*stride[i]. */
+/* Where prepare() writes: block i of the layout starts at data[i]; a per-light block of light l at data[i] + l*stride[i].
+ * All of it is zero when prepare() is called.
+ * skip (since 1.1; null from an older host): prepare() sets skip[pass * skip_stride + light] = 1 (pass: index into
+ * TyLayout.passes; light 0 for a pass that is not per light) for a run that has nothing to do in this frame. The host
+ * records nothing for it: no dispatch, no draw, no clear. It is missing from the timers. What it would have written keeps
+ * its old contents if it is history (TY_RESOURCE_HISTORY) and is undefined otherwise: no shader of this frame may read
+ * that. */
 typedef struct TyUniformData {
   uint32_t struct_size;
   uint32_t block_count;
   uint8_t* const* data;
   const uint32_t* stride;
+  uint8_t* skip;                 /* 1.1 */
+  uint32_t skip_stride;          /* 1.1; at least 1, and light_count */
 } TyUniformData;
 
 /* --------------------------------------------------------------------------------------------- host, plugin ---- */

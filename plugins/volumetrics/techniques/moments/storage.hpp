@@ -3,6 +3,7 @@
 #pragma once
 
 #include "params/table.hpp"
+#include "stages/rectify.hpp"
 #include "tyndall/plugin.h"
 
 namespace volumetrics {
@@ -10,7 +11,7 @@ namespace volumetrics {
 struct MomentStorage {
   TyFormat first;          ///< four moments; or b1 b3 b5 (and b2)
   TyFormat second;         ///< TY_FORMAT_UNKNOWN for four moments; else b2 b4 b6, or b4 b6
-  TyFormat rectified;      ///< of the rectified map
+  DepthBits depth;         ///< of the rectified map
   bool quantise;           ///< through the sparse quantisation transform
   bool threeAndThree;      ///< odd moments in `first`, even ones in `second`
   float bias;              ///< moment bias alpha_b
@@ -23,17 +24,17 @@ struct MomentStorage {
 constexpr MomentStorage momentStorage(int moments, Precision precision) {
   if (moments == 4) {
     if (precision == Precision::kCompact)
-      return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_UNKNOWN, TY_FORMAT_R16_UNORM, true, false, 6e-5f, 0.628f};
-    return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_UNKNOWN, TY_FORMAT_R32_FLOAT, false, false, 2e-6f, 0.375f};
+      return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_UNKNOWN, DepthBits::k16, true, false, 6e-5f, 0.628f};
+    return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_UNKNOWN, DepthBits::k32, false, false, 2e-6f, 0.375f};
   }
   switch (precision) {
     case Precision::kCompact:
-      return {TY_FORMAT_A2B10G10R10_UNORM, TY_FORMAT_A2B10G10R10_UNORM, TY_FORMAT_R16_UNORM, true, true, 4e-3f, 0};
+      return {TY_FORMAT_A2B10G10R10_UNORM, TY_FORMAT_A2B10G10R10_UNORM, DepthBits::k16, true, true, 4e-3f, 0};
     case Precision::kStandard:
-      return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_RG16_UNORM, TY_FORMAT_R16_UNORM, true, false, 8e-5f, 0};
+      return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_RG16_UNORM, DepthBits::k16, true, false, 8e-5f, 0};
     case Precision::kFull: break;
   }
-  return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_RG32_FLOAT, TY_FORMAT_R32_FLOAT, false, false, 5e-6f, 0};
+  return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_RG32_FLOAT, DepthBits::k32, false, false, 5e-6f, 0};
 }
 
 }  // namespace volumetrics

@@ -2,9 +2,7 @@
 // Inputs: scene depth (D32, reversed), shadow map (D32 array, layer 0). Output: RGBA32F, RGB in-scattered radiance (added to what
 // the suns before have scattered), A transmittance to the surface.
 // Equation: sigma_s int_0^s exp(-sigma_t t) p V E dt (Toth and Umenhoffer 2009 for the march; Klehm et al. 2014, equation 1).
-// Deviation that makes the march its best self: samples are spent only on the part of the ray inside the prism that the
-// shadow map covers; the rest is lit and has a closed form. Visibility is sampled at the middle (or a jittered point) of each
-// stratum; the stratum's weight is the exact integral of the transmittance.
+// Deviation that makes the march its best self: stages/march.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,6 +10,7 @@
 #include "lib/medium.glsl"
 #include "techniques/ray_march/ray_march_blocks.h"
 #include "stages/rays.glsl"
+#include "stages/march.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool kFirstLight = true;  // the only sun: writes instead of adding
@@ -33,14 +32,6 @@ float whiteNoise(uvec3 v) {
   return float(v.x >> 8) * (1.0 / 16777216.0);
 }
 
-// The part of [0, end] in which p + t v is inside [0, size].
-vec2 clipSlab(vec2 interval, float p, float v, float size) {
-  if (abs(v) < 1e-12) return p >= 0.0 && p <= size ? interval : vec2(1.0, 0.0);
-  float a = -p / v;
-  float b = (size - p) / v;
-  return vec2(max(interval.x, min(a, b)), min(interval.y, max(a, b)));
-}
-
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
   if (any(greaterThanEqual(pixel, uvec2(imageSize(scatter))))) return;
@@ -50,40 +41,15 @@ void main() {
   float end = perAxial * axialDistance(frame.rays, texelFetch(sceneDepth, ivec2(pixel), 0).x);
   float sigma_t = frame.rays.sigma_t;
 
-  vec3 step_ = sun.shadowX * direction.x + sun.shadowY * direction.y + sun.shadowZ * direction.z;
-  vec2 interval = clipSlab(vec2(0.0, end), sun.shadowEye.x, step_.x, sun.shadowSize);
-  interval = clipSlab(interval, sun.shadowEye.y, step_.y, sun.shadowSize);
-  // Nearer to the light than the nearest caster (stored depth 0) nothing is shadowed.
-  interval = clipSlab(interval, sun.shadowEye.z, step_.z, 1e30);
-
+  vec3 step_ = shadowStep(sun, direction);
+  vec2 interval = shadowedPart(sun, step_, end);
   float integral = transmittanceIntegral(sigma_t, 0.0, end);
   if (interval.y > interval.x) {
-    float span = interval.y - interval.x;
-    int steps = frame.march.steps;
-    float inverse = 1.0 / float(steps);
     float offset = frame.march.jitter == kJitterWhite ? whiteNoise(uvec3(pixel, frame.rays.frameIndex)) : 0.5;
-    float inside = transmittanceIntegral(sigma_t, interval.x, interval.y);
-    float blocked = 0.0;  // share of `inside` that is in shadow
-    if (frame.march.march_spacing == kSpacingTransmittance) {
-      for (int i = 0; i < steps; ++i) {
-        float t = interval.x + distanceAtTransmittanceShare(sigma_t, span, (float(i) + offset) * inverse);
-        vec3 p = sun.shadowEye + t * step_;
-        float stored = texelFetch(shadowMap, ivec3(clamp(ivec2(p.xy), ivec2(0), ivec2(sun.shadowSize) - 1), 0), 0).x;
-        blocked += p.z > stored && stored < 1.0 ? 1.0 : 0.0;
-      }
-      blocked *= inverse;
-    } else {
-      float width = span * inverse;
-      float falloff = exp(-sigma_t * width);
-      float weight = transmittanceIntegral(sigma_t, 0.0, width) / transmittanceIntegral(sigma_t, 0.0, span);
-      for (int i = 0; i < steps; ++i) {
-        vec3 p = sun.shadowEye + (interval.x + (float(i) + offset) * width) * step_;
-        float stored = texelFetch(shadowMap, ivec3(clamp(ivec2(p.xy), ivec2(0), ivec2(sun.shadowSize) - 1), 0), 0).x;
-        blocked += p.z > stored && stored < 1.0 ? weight : 0.0;
-        weight *= falloff;
-      }
-    }
-    integral -= inside * blocked;
+    float blocked = frame.march.march_spacing == kSpacingTransmittance
+                        ? blockedByTransmittance(sun, shadowMap, step_, interval, sigma_t, frame.march.steps, offset)
+                        : blockedByDistance(sun, shadowMap, step_, interval, sigma_t, frame.march.steps, offset);
+    integral -= transmittanceIntegral(sigma_t, interval.x, interval.y) * blocked;
   }
   float sigma_s = frame.rays.albedo * sigma_t;
   float phase = phaseHenyeyGreenstein(dot(direction, sun.towards), frame.rays.g);

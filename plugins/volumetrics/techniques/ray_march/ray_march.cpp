@@ -3,14 +3,13 @@
 
 #include "geometry/camera_rays.hpp"
 #include "layout_builder.hpp"
+#include "stages/debug_views.hpp"
 #include "stages/suns.hpp"
 #include "technique.hpp"
 #include "techniques/ray_march/ray_march_blocks.h"
 
 namespace volumetrics {
 namespace {
-
-constexpr std::uint32_t kFrameBlock = 0, kSunBlock = 1;
 
 constexpr std::array kReads = {"volumetrics.enabled", "volumetrics.technique", "volumetrics.placement", "volumetrics.steps",
                                "volumetrics.jitter", "volumetrics.march_spacing", "medium.sigma_t", "medium.albedo", "medium.g"};
@@ -24,6 +23,7 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
                    {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), sceneDepthAt(2), shadowMapAt(3),
                     outputAt(4, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE)},
                    groups8(context.structure.width), groups8(context.structure.height), 1, true, {{0, add ? 0u : 1u}}});
+  addDifferenceView(context, builder, kFrameBlock, kSunBlock);
 }
 
 void prepare(const FrameContext& context) {

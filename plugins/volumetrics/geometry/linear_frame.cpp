@@ -1,0 +1,124 @@
+#include "geometry/linear_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace volumetrics {
+namespace {
+
+/// A span nearer to 180 degrees than this leaves no frustum worth the name: its sides are 57 times as far as its middle.
+constexpr double kLargestSpan = std::numbers::pi * 178 / 180;
+/// Splits grow half geometrically, half evenly (Zhang et al. 2006, "Parallel-split shadow maps", lambda = 1/2).
+constexpr double kGeometricShare = 0.5;
+/// auto: longest last column in even columns.
+constexpr double kLongestColumn = 4;
+
+/// Direction in the middle of the two projected corners that span the largest angle; none if that is too large.
+std::optional<glm::dvec2> bisectrix(const std::array<glm::dvec2, 4>& corners) {
+  double largest = -1;
+  glm::dvec2 middle{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const double a = glm::length(corners[i]), b = glm::length(corners[j]);
+      if (a < 1e-6 || b < 1e-6) return std::nullopt;  // a corner looks along the light
+      const double angle = std::acos(std::clamp(glm::dot(corners[i], corners[j]) / (a * b), -1.0, 1.0));
+      if (angle <= largest) continue;
+      largest = angle;
+      middle = corners[i] / a + corners[j] / b;
+    }
+  if (largest > kLargestSpan) return std::nullopt;
+  return glm::normalize(middle);
+}
+
+/// Clip coordinates as functions of (x, y, height) along (e1, e2, towards) from the eye, all linear, then of world positions.
+glm::mat4 clipMatrix(const RectificationInput& input, const RectificationBlock& block, double nearInverse, double farInverse) {
+  const double span = block.sliceStep * static_cast<double>(block.slices);
+  // x: the tangent y/x from sliceLow to sliceLow + span; y: 1/x from nearInverse to farInverse; z: depth; w: x.
+  const std::array<glm::dvec3, 4> rows = {
+      glm::dvec3(-2.0 * block.sliceLow / span - 1, 2 / span, 0),
+      glm::dvec3(2 * nearInverse / (nearInverse - farInverse) - 1, 0, 0),
+      glm::dvec3(-static_cast<double>(block.depthLow) * block.depthScale, 0, -static_cast<double>(block.depthScale)),
+      glm::dvec3(1, 0, 0)};
+  const double constants[4] = {0, -2 / (nearInverse - farInverse), 0, 0};
+  const glm::dvec3 e1(block.e1), e2(block.e2), axis(input.towards), eye(input.rays.eye);
+  glm::mat4 clip;
+  for (int r = 0; r < 4; ++r) {
+    const glm::dvec3 row = rows[static_cast<std::size_t>(r)].x * e1 + rows[static_cast<std::size_t>(r)].y * e2 +
+                           rows[static_cast<std::size_t>(r)].z * axis;
+    for (int c = 0; c < 3; ++c) clip[c][r] = static_cast<float>(row[c]);
+    clip[3][r] = static_cast<float>(constants[r] - glm::dot(row, eye));
+  }
+  return clip;
+}
+
+}  // namespace
+
+std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uint32_t splits) {
+  const glm::dvec3 axis(input.towards);
+  const auto corners = cornerDirections(input.rays);
+  const auto planes = sidePlanes(corners);
+  if (inFrustum(planes, axis) || inFrustum(planes, -axis)) return std::nullopt;
+
+  const glm::dvec3 any = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const glm::dvec3 other = glm::cross(axis, any);
+  std::array<glm::dvec2, 4> flat;
+  for (std::size_t i = 0; i < 4; ++i) flat[i] = {glm::dot(corners[i], any), glm::dot(corners[i], other)};
+  const auto middle = bisectrix(flat);
+  if (!middle) return std::nullopt;
+
+  LinearFrame frame;
+  RectificationBlock& block = frame.block;
+  const glm::dvec3 e1 = glm::normalize(middle->x * any + middle->y * other);
+  const Polygon region = fillFrame(input, e1, block);
+  const glm::dvec3 e2(block.e2);
+  double tanMin = 1e300, tanMax = -1e300, depthMin = 1e300, depthMax = -1e300, nearest = 1e300;
+  for (const glm::dvec3& q : corners) {
+    const double x = glm::dot(q, e1);
+    if (x <= 1e-6) return std::nullopt;
+    nearest = std::min(nearest, x * input.rays.znear);
+    tanMin = std::min(tanMin, glm::dot(q, e2) / x);
+    tanMax = std::max(tanMax, glm::dot(q, e2) / x);
+    depthMin = std::min(depthMin, -glm::dot(q, axis) / x);
+    depthMax = std::max(depthMax, -glm::dot(q, axis) / x);
+  }
+  block.slicing = kSlicesByTangent;
+  block.sliceLow = static_cast<float>(tanMin);
+  block.sliceStep = static_cast<float>(std::max(tanMax - tanMin, 1e-6) / input.slices);
+  const double guard = 0.05 * std::max(depthMax - depthMin, 1e-3);  // as the epipolar map's
+  block.depthLow = static_cast<float>(depthMin - guard);
+  block.depthScale = static_cast<float>(1 / (depthMax - depthMin + 2 * guard));
+  block.depthPower = 1;
+  const InclinationRange range = inclinationRange(input.rays, input.towards);
+  block.meanTheta = static_cast<float>((range.min + range.max) / 2);
+
+  double first = 1e300, last = 0;
+  for (const glm::dvec2& corner : region) {
+    first = std::min(first, corner.x);
+    last = std::max(last, corner.x);
+  }
+  block.nearLit = first > nearest ? 1 : 0;
+  first = std::max(first, nearest);
+  if (region.empty() || last <= first * (1 + 1e-6)) {
+    block.polygonCount = 0;  // nothing can be blocked
+    block.nearLit = 1;
+    last = first = nearest;
+  }
+  block.splits = splits;
+  std::array<double, kMaxSplits + 1> inverse{};
+  for (std::uint32_t i = 0; i <= splits; ++i) {
+    const double share = static_cast<double>(i) / splits;
+    inverse[i] = 1 / (kGeometricShare * first * std::pow(last / first, share) + (1 - kGeometricShare) * (first + (last - first) * share));
+    block.inverse[i] = static_cast<float>(inverse[i]);
+  }
+  if (block.polygonCount == 0) return frame;
+  for (std::uint32_t i = 0; i < splits; ++i) frame.clipFromWorld[i] = clipMatrix(input, block, inverse[i], inverse[i + 1]);
+  const double step = (inverse[splits - 1] - inverse[splits]) / input.columns;
+  frame.lastColumn = last - 1 / (inverse[splits] + step);
+  frame.evenColumn = (last - first) / input.columns;
+  return frame;
+}
+
+bool columnsAreEvenEnough(const LinearFrame& frame) { return frame.lastColumn <= kLongestColumn * frame.evenColumn; }
+
+}  // namespace volumetrics

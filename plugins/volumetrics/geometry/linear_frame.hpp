@@ -1,0 +1,27 @@
+// The projective ("linear") rectification of a directional light (Klehm et al. 2014, section 4.2): a perspective along the 2D
+// bisectrix of the view with the eye as its centre turns view rays into rows, so casters are rasterised straight into the map.
+// Deviation: its extent along the bisectrix is cut to where light can be blocked at all (frustum and casters, seen along the light).
+#pragma once
+
+#include <optional>
+
+#include "geometry/epipolar_frame.hpp"
+
+namespace volumetrics {
+
+struct LinearFrame {
+  RectificationBlock block;
+  /// Of each split: x runs over slices, y over the split's columns, z is the normalised depth, w the distance along e1.
+  std::array<glm::mat4, kMaxSplits> clipFromWorld{};
+  /// Length along e1 of the last column, and of a column if all were equal, m (0: nothing can be blocked).
+  double lastColumn = 0, evenColumn = 0;
+};
+
+/// None where no projective map exists: the light or its antipode is in view, or the view spans (nearly) 180 degrees seen along the
+/// light. `splits` is 1...4.
+std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uint32_t splits);
+
+/// The rule of rectification=auto: the last column is no longer than four epipolar ones.
+bool columnsAreEvenEnough(const LinearFrame& frame);
+
+}  // namespace volumetrics

@@ -1,0 +1,34 @@
+// Single scattering of one sun by a dense march through its shadow map: what debug view "difference" compares with.
+// Inputs: scene depth (D32, reversed), shadow map (D32 array, layer 0). Output: RGBA32F, RGB radiance, added up over suns.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "lib/portable.h"
+#include "lib/medium.glsl"
+#include "stages/blocks.h"
+#include "stages/rays.glsl"
+#include "stages/march.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = 0) const bool kFirstLight = true;
+layout(binding = 0, scalar) uniform Frame { RayBlock rays; };
+layout(binding = 1, scalar) uniform Light { SunBlock sun; };
+layout(binding = 2) uniform sampler2D sceneDepth;
+layout(binding = 3) uniform sampler2DArray shadowMap;
+layout(binding = 4, rgba32f) uniform image2D dense;
+
+const int kMostSteps = 8192;
+
+void main() {
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (any(greaterThanEqual(pixel, uvec2(imageSize(dense))))) return;
+  vec3 direction = rayDirection(rays, pixel);
+  float perAxial = length(direction);
+  direction /= perAxial;
+  float end = perAxial * axialDistance(rays, texelFetch(sceneDepth, ivec2(pixel), 0).x);
+  float integral = denselyMarched(sun, shadowMap, direction, end, rays.sigma_t, kMostSteps);
+  float phase = phaseHenyeyGreenstein(dot(direction, sun.towards), rays.g);
+  vec3 radiance = rays.albedo * rays.sigma_t * phase * integral * sun.irradiance;
+  vec4 before = kFirstLight ? vec4(0.0) : imageLoad(dense, ivec2(pixel));
+  imageStore(dense, ivec2(pixel), before + vec4(radiance, 0.0));
+}

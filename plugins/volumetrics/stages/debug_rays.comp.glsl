@@ -1,0 +1,82 @@
+// What the rows make of each pixel: R slice coordinate over the number of slices, G inclination over pi, B error of the reference rays,
+// A mean visibility of the nearest row. The error is that of the weights alone: the row's own visibility, texel by texel, averaged
+// with the weights of the reference rays and interpolated, against averaged with the weights of the ray itself.
+// Inputs: scene depth; Slice buffer; rectified maps. Output: RGBA32F.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "lib/portable.h"
+#include "lib/medium.glsl"
+#include "lib/epipolar.glsl"
+#include "stages/rectified.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = 1) const int kReferenceRays = 1;
+layout(constant_id = 8) const bool kFiltered = false;
+const int kRowFilter = 0;
+const bool kFirstLight = true;
+layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
+layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 2) uniform sampler2D sceneDepth;
+layout(binding = 3, scalar) readonly buffer Slices { Slice slices[]; };
+layout(binding = 4) uniform sampler2DArray shadowMap;
+layout(binding = 5, rgba32f) uniform image2D scatter;
+layout(binding = 6) uniform sampler2DArray rectified;
+layout(binding = 7) uniform sampler2DArray projective;
+
+#define TY_OWN_MAIN
+#include "stages/rays_on_rows.glsl"
+#include "stages/texel_depths.glsl"
+
+// Transmittance integral between two column coordinates at optical depth tau a metre of distance from the axis.
+float weightBetween(Slice s, float tau, float from, float to) {
+  return transmittanceIntegral(tau, columnDistance(s, from), columnDistance(s, to));
+}
+
+float meanVisibility(RowRay ray) { return 1.0; }
+
+void main() {
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (any(greaterThanEqual(pixel, uvec2(imageSize(scatter))))) return;
+  vec3 direction = rayDirection(frame.rays, pixel);
+  float perAxial = length(direction);
+  direction /= perAxial;
+  float end = perAxial * axialDistance(frame.rays, texelFetch(sceneDepth, ivec2(pixel), 0).x);
+  vec3 local = vec3(dot(direction, light.map.e1), dot(direction, light.map.e2), dot(direction, light.sun.towards));
+  RowRay ray = rowRay(local, end, false);
+  Slice s = ray.a.s;
+
+  float ownTau = frame.rays.sigma_t / max(ray.sine, 1e-7);
+  float tau[kReferenceRays];
+  float lit[kReferenceRays];
+  float all[kReferenceRays];
+  for (int k = 0; k < kReferenceRays; ++k) {
+    float node = mix(s.nodeLow, s.nodeHigh, 0.5 + 0.5 * chebyshevNode(k, kReferenceRays));
+    tau[k] = frame.rectified.weights == 1 ? frame.rays.sigma_t * exp(-node) : 0.0;
+    lit[k] = 0.0;
+    all[k] = 0.0;
+  }
+  float ownLit = 0.0;
+  float ownAll = 0.0;
+  int columns = int(ceil(ray.a.column));
+  for (int column = 0; column < columns; ++column) {
+    vec3 depths = texelDepths(ivec2(ray.a.index, column));
+    float visible = mix(ray.depth <= depths.x ? 1.0 : 0.0, ray.depth <= depths.y ? 1.0 : 0.0, depths.z);
+    float to = min(float(column + 1), ray.a.column);
+    float weight = weightBetween(s, ownTau, float(column), to);
+    ownLit += visible * weight;
+    ownAll += weight;
+    for (int k = 0; k < kReferenceRays; ++k) {
+      weight = weightBetween(s, tau[k], float(column), to);
+      lit[k] += visible * weight;
+      all[k] += weight;
+    }
+  }
+  float own = ownAll > 0.0 ? ownLit / ownAll : 1.0;
+  float x = clamp((2.0 * referenceCoordinate(ray.theta) - s.nodeLow - s.nodeHigh) / max(s.nodeHigh - s.nodeLow, 1e-6), -1.0, 1.0);
+  float interpolated = 0.0;
+  for (int k = 0; k < kReferenceRays; ++k)
+    interpolated += (kReferenceRays == 1 ? 1.0 : chebyshevLagrange(k, kReferenceRays, x)) * (all[k] > 0.0 ? lit[k] / all[k] : 1.0);
+  imageStore(scatter, ivec2(pixel),
+             vec4(ray.slice / float(light.map.slices), ray.theta / kPi, abs(clamp(interpolated, 0.0, 1.0) - own), own));
+}

@@ -1,0 +1,16 @@
+// Debug views that every technique has, or every technique on rows. Their passes run only in frames that show them: a host leaves
+// out passes whose results nobody reads.
+#pragma once
+
+#include "stages/rectify.hpp"
+
+namespace volumetrics {
+
+/// View "difference": the result minus a dense march of every sun through its shadow map, absolute. `frameBlock` is a uniform block that
+/// starts with a RayBlock, `sunBlock` a per-light one that starts with a SunBlock. To be called after the passes of the technique.
+void addDifferenceView(const LayoutContext& context, LayoutBuilder& builder, std::uint32_t frameBlock, std::uint32_t sunBlock);
+
+/// Views "slice", "inclination", "reference_ray_error" per pixel and "weights" of the columns.
+void addRowViews(const LayoutContext& context, LayoutBuilder& builder, const RectifyStage& stage);
+
+}  // namespace volumetrics

@@ -1,0 +1,167 @@
+// Weighted prefix averages along the columns of a rectified map, for every reference ray (Klehm et al. 2014, section 3.3; Peters et
+// al. 2017, appendix C), in three schemes: one invocation a row (Klehm), 8x8 blocks in which eight invocations share a row and store
+// in turn (Peters), or a workgroup scan: each invocation sums a run of columns, reads what the runs before it summed, and goes
+// through its run again. A segment (region of a row, or a split's map) starts anew.
+// A technique includes this after defining kVectors, the vectors of four that it averages (of one group of basis functions), and defines
+//   void basisAt(ivec2 at, float depth, int group, out vec4 v[kVectors])
+//   void storePrefix(ivec2 at, int k, int group, vec4 v[kVectors])       k: reference ray
+// Bindings 0 to 5 are taken. Groups of basis functions are workgroups along z, segments along y.
+layout(local_size_x_id = 10, local_size_y_id = 11) in;
+layout(constant_id = 1) const int kReferenceRays = 1;
+layout(constant_id = 3) const bool kBounds = true;
+layout(constant_id = 7) const bool kScan = false;
+layout(constant_id = 8) const bool kFiltered = false;
+layout(constant_id = 9) const int kLanes = 1;  // invocations that share memory: scan only
+layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
+layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 2, scalar) readonly buffer Slices { Slice slices[]; };
+layout(binding = 3) uniform sampler2DArray rectified;   // resampled
+layout(binding = 4) uniform sampler2DArray projective;  // rasterised: one layer a split
+layout(binding = 5) uniform writeonly image2D bounds;
+
+#include "stages/rows.glsl"
+#include "stages/texel_depths.glsl"
+
+void basisAt(ivec2 at, float depth, int group, out vec4 v[kVectors]);
+void storePrefix(ivec2 at, int k, int group, vec4 v[kVectors]);
+
+const int kWeightsTransmittance = 1;
+const int kValues = kReferenceRays * kVectors;
+
+shared vec4 sums[kLanes * kValues];  // [lane][k][vector]
+shared float totals[kLanes * kReferenceRays];
+shared vec2 ranges[kLanes];
+
+// The mean of the basis over a texel's blockers.
+void texelBasis(ivec2 at, vec3 depths, int group, out vec4 v[kVectors]) {
+  basisAt(at, depths.x, group, v);
+  if (!kFiltered || depths.z <= 0.0) return;
+  vec4 second[kVectors];
+  basisAt(at, depths.y, group, second);
+  for (int i = 0; i < kVectors; ++i) v[i] = mix(v[i], second[i], depths.z);
+}
+
+vec2 texelRange(vec3 depths) {
+  if (!kFiltered) return depths.xx;
+  if (depths.z <= 0.0) return depths.xx;
+  if (depths.z >= 1.0) return depths.yy;
+  return vec2(min(depths.x, depths.y), max(depths.x, depths.y));
+}
+
+// Integral of exp(-tau t) over [0, width], as a share of width: 1 for tau = 0, the papers' equal weights.
+float meanFalloff(float x) { return x < 1e-4 ? 1.0 - 0.5 * x : oneMinusExp(x) / x; }
+
+// The weight of the next column, `width` metres wide, for a reference ray of optical depth `tau` per metre of distance from the axis;
+// `power`, the transmittance from the segment's start, moves on to the column behind it.
+float nextWeight(inout float power, float tau, float width) {
+  float x = tau * width;
+  float weight = power * width * meanFalloff(x);
+  power *= exp(-x);
+  return weight;
+}
+
+void main() {
+  uint slice = gl_GlobalInvocationID.x;
+  bool inside = slice < light.map.slices;
+  if (!kScan && !inside) return;  // the scan needs every invocation at its barriers
+  Slice s = slices[min(slice, light.map.slices - 1u)];
+  int group = int(gl_WorkGroupID.z);
+  uint map = gl_WorkGroupID.y / light.map.segments;
+  uint begin = map * light.map.columns + (gl_WorkGroupID.y % light.map.segments) * light.map.segmentColumns;
+  if (map >= light.map.splits || begin >= (map + 1u) * light.map.columns) return;
+  uint end = segmentOf(begin).y;
+  bool even = light.map.slicing != kSlicesByTangent;
+  float width = (s.last - s.first) / float(light.map.columns);
+
+  uint lane = gl_LocalInvocationID.y;
+  uint lanes = gl_WorkGroupSize.y;
+  uint from = begin;
+  uint to = end;
+  if (kScan) {
+    uint run = (end - begin + lanes - 1u) / lanes;
+    from = min(begin + lane * run, end);
+    to = min(from + run, end);
+  }
+
+  float tau[kReferenceRays];
+  float power[kReferenceRays];
+  float start = columnDistance(s, float(begin));
+  float own = columnDistance(s, float(from));
+  for (int k = 0; k < kReferenceRays; ++k) {
+    float node = mix(s.nodeLow, s.nodeHigh, 0.5 + 0.5 * chebyshevNode(k, kReferenceRays));
+    tau[k] = frame.rectified.weights == kWeightsTransmittance ? frame.rays.sigma_t * exp(-node) : 0.0;
+    power[k] = exp(-tau[k] * (own - start));
+  }
+  float total[kReferenceRays];
+  vec4 value[kValues];
+  for (int k = 0; k < kReferenceRays; ++k) total[k] = 0.0;
+  for (int i = 0; i < kValues; ++i) value[i] = vec4(0.0);
+  vec2 range = vec2(1.0, 0.0);
+
+  if (kScan) {
+    float walk[kReferenceRays];
+    for (int k = 0; k < kReferenceRays; ++k) walk[k] = power[k];
+    float last = own;
+    for (uint column = from; column < to; ++column) {
+      vec3 depths = texelDepths(ivec2(slice, column));
+      vec2 reach = texelRange(depths);
+      range = vec2(min(range.x, reach.x), max(range.y, reach.y));
+      vec4 basis[kVectors];
+      texelBasis(ivec2(slice, column), depths, group, basis);
+      float next = even ? 0.0 : columnDistance(s, float(column + 1u));
+      float w = even ? width : next - last;
+      last = next;
+      for (int k = 0; k < kReferenceRays; ++k) {
+        float weight = nextWeight(walk[k], tau[k], w);
+        total[k] += weight;
+        for (int i = 0; i < kVectors; ++i) value[k * kVectors + i] += basis[i] * weight;
+      }
+    }
+    uint at = lane * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+    uint place = at * uint(kValues);
+    for (int i = 0; i < kValues; ++i) sums[place + uint(i)] = value[i];
+    for (int k = 0; k < kReferenceRays; ++k) totals[at * uint(kReferenceRays) + uint(k)] = total[k];
+    ranges[at] = range;
+    barrier();
+    for (int k = 0; k < kReferenceRays; ++k) total[k] = 0.0;
+    for (int i = 0; i < kValues; ++i) value[i] = vec4(0.0);
+    range = vec2(1.0, 0.0);
+    for (uint other = 0u; other < lane; ++other) {
+      uint there = other * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+      for (int i = 0; i < kValues; ++i) value[i] += sums[there * uint(kValues) + uint(i)];
+      for (int k = 0; k < kReferenceRays; ++k) total[k] += totals[there * uint(kReferenceRays) + uint(k)];
+      range = vec2(min(range.x, ranges[there].x), max(range.y, ranges[there].y));
+    }
+    for (int k = 0; k < kReferenceRays; ++k)
+      for (int i = 0; i < kVectors; ++i) value[k * kVectors + i] *= total[k] > 0.0 ? 1.0 / total[k] : 0.0;
+    if (!inside) return;
+  }
+
+  // Averages instead of sums: rounding stays relative to the values, and low precision stores them (Klehm, listings 1 and 2).
+  float last = own;
+  for (uint column = from; column < to; ++column) {
+    ivec2 at = ivec2(slice, column);
+    vec3 depths = texelDepths(at);
+    vec2 reach = texelRange(depths);
+    range = vec2(min(range.x, reach.x), max(range.y, reach.y));
+    vec4 basis[kVectors];
+    texelBasis(at, depths, group, basis);
+    float next = even ? 0.0 : columnDistance(s, float(column + 1u));
+    float w = even ? width : next - last;
+    last = next;
+    bool mine = kScan || column % lanes == lane;
+    for (int k = 0; k < kReferenceRays; ++k) {
+      float weight = nextWeight(power[k], tau[k], w);
+      total[k] += weight;
+      float share = total[k] > 0.0 ? weight / total[k] : 1.0;
+      vec4 average[kVectors];
+      for (int i = 0; i < kVectors; ++i) {
+        value[k * kVectors + i] += (basis[i] - value[k * kVectors + i]) * share;
+        average[i] = value[k * kVectors + i];
+      }
+      if (mine) storePrefix(at, k, group, average);
+    }
+    // Rounding to 16 bit is allowed for where they are read.
+    if (kBounds && mine && group == 0) imageStore(bounds, at, vec4(range, 0.0, 0.0));
+  }
+}

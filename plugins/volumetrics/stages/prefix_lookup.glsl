@@ -1,0 +1,128 @@
+// meanVisibility() of the techniques that look up a prefix: one look-up per segment that the ray passes, K of them with reference
+// rays, none where the prefix bounds settle it. Needs the binding `bounds` and, from the technique:
+//   void visibilities(Place place, RowRay ray, out float v[kReferenceRays])   one for each reference ray, not yet clamped
+// Segments are joined with the weights of the ray's own inclination: exact, whatever the reference rays.
+const int kWeightsTransmittance = 1;
+const float kHalfStep = 0.5 / 65535.0;  // of 16-bit unorm
+const float kMipLevels = 4.0;           // of a prefix with mips
+
+// Where in a prefix image the sums of one segment up to the ray's end lie.
+struct Place {
+  int rowA, rowB;         // slices
+  float weightA, weightB;
+  float columnA, columnB; // texel coordinates along y, of texel centres (+ 1/2)
+  float slice;            // texel coordinate along x between both
+  float lod;
+};
+
+// Texel coordinate along y at which linear filtering gives the prefix up to `column`: texel j holds the prefix of columns up to and
+// with j, so coordinate j + 1 is its centre (j + 1/2) plus a half. Clamped to the segment's own texels at mip level `lod`.
+float prefixTexel(float column, vec2 segment, float lod) {
+  float half_ = 0.5 * exp2(ceil(lod));
+  return clamp(column - 0.5, segment.x + half_, max(segment.y - half_, segment.x + half_));
+}
+
+vec4 lookUp(sampler2DArray prefix, Place place, float layer) {
+  vec2 inverse = 1.0 / vec2(float(light.map.slices), float(textureSize(prefix, 0).y));
+  if (kRowFilter == kRowMipmapped)
+    return textureLod(prefix, vec3(place.slice * inverse.x, mix(place.columnB, place.columnA, place.weightA) * inverse.y, layer), place.lod);
+  // In a projective map both rows have the ray's end in the same column: the sampler interpolates them.
+  if (kRowFilter == kRowLinear && light.map.slicing == kSlicesByTangent)
+    return textureLod(prefix, vec3(place.slice * inverse.x, place.columnA * inverse.y, layer), 0.0);
+  vec4 value = textureLod(prefix, vec3((float(place.rowA) + 0.5) * inverse.x, place.columnA * inverse.y, layer), 0.0);
+  if (kRowFilter == kRowLinear)
+    value = value * place.weightA +
+            textureLod(prefix, vec3((float(place.rowB) + 0.5) * inverse.x, place.columnB * inverse.y, layer), 0.0) * place.weightB;
+  return value;
+}
+
+void visibilities(Place place, RowRay ray, out float v[kReferenceRays]);
+
+// Prefix minimum and maximum of one row's segment up to the ray's end, without the columns that may hold the very surface that
+// ends the ray.
+vec2 rangeBefore(Row row, vec2 segment, float column) {
+  float texel = floor(column) - (column < segment.y ? row.s.lookBack : 1.0);
+  return texelFetch(bounds, ivec2(row.index, clamp(int(texel), int(segment.x), int(segment.y) - 1)), 0).xy;
+}
+
+// Mean visibility of one segment's columns before `columnA` and `columnB` of the two rows.
+float segmentVisibility(RowRay ray, vec2 segment, float columnA, float columnB, float lod) {
+  if (kBounds) {
+    vec2 range = rangeBefore(ray.a, segment, columnA);
+    if (kRowFilter != kRowNearest) {
+      vec2 other = rangeBefore(ray.b, segment, columnB);
+      range = vec2(min(range.x, other.x), max(range.y, other.y));
+    }
+    if (ray.depth <= range.x - kHalfStep || range.x >= 1.0) return 1.0;
+    if (ray.depth > range.y + kHalfStep) return 0.0;
+  }
+  Place place;
+  place.rowA = ray.a.index;
+  place.rowB = ray.b.index;
+  place.weightA = ray.a.weight;
+  place.weightB = ray.b.weight;
+  place.columnA = prefixTexel(columnA, segment, lod);
+  place.columnB = prefixTexel(columnB, segment, lod);
+  place.slice = ray.slice;
+  place.lod = lod;
+  float v[kReferenceRays];
+  visibilities(place, ray, v);
+  if (kReferenceRays == 1) return clamp(v[0], 0.0, 1.0);
+  float low = mix(ray.b.s.nodeLow, ray.a.s.nodeLow, ray.a.weight);
+  float high = mix(ray.b.s.nodeHigh, ray.a.s.nodeHigh, ray.a.weight);
+  float x = clamp((2.0 * referenceCoordinate(ray.theta) - low - high) / max(high - low, 1e-6), -1.0, 1.0);
+  float sum = 0.0;
+  for (int k = 0; k < kReferenceRays; ++k) sum += chebyshevLagrange(k, kReferenceRays, x) * v[k];
+  return clamp(sum, 0.0, 1.0);
+}
+
+// What the columns from coordinate `from` to `to` of a row weigh along the ray itself.
+float ownWeight(RowRay ray, Slice s, float from, float to) {
+  float a = columnDistance(s, from);
+  float b = columnDistance(s, to);
+  if (frame.rectified.weights != kWeightsTransmittance) return b - a;
+  float safeSine = max(ray.sine, 1e-7);
+  return transmittanceIntegral(frame.rays.sigma_t, a / safeSine, b / safeSine);
+}
+
+// Mip level at which a texel of the prefix is as wide as a pixel, in slices.
+float sliceLod(RowRay ray) {
+  if (kRowFilter != kRowMipmapped) return 0.0;
+  vec2 size = frame.rays.pixelScale;
+  vec3 right = frame.rays.right * size.x;
+  vec3 up = frame.rays.up * size.y;
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  vec3 direction = rayDirection(frame.rays, pixel);
+  float widest = 0.0;
+  for (int i = 0; i < 2; ++i) {
+    vec3 next = i == 0 ? direction + right : direction - up;
+    float moved = abs(sliceCoordinate(vec2(dot(next, light.map.e1), dot(next, light.map.e2))) - ray.slice);
+    if (light.map.fullCircle != 0u) moved = min(moved, float(light.map.slices) - moved);
+    widest = max(widest, moved);
+  }
+  return clamp(log2(max(widest, 1.0)), 0.0, kMipLevels - 1.0);
+}
+
+float meanVisibility(RowRay ray) {
+  float lod = sliceLod(ray);
+  bool nearerA = ray.a.weight >= 0.5;
+  float leading = nearerA ? ray.a.column : ray.b.column;
+  uint last = min(uint(max(ceil(leading) - 1.0, 0.0)), totalColumns() - 1u);
+  vec2 end = vec2(segmentOf(last));  // the segment in which the ray ends
+  if (end.x == 0.0) return segmentVisibility(ray, end, min(ray.a.column, end.y), min(ray.b.column, end.y), lod);
+  Slice s = slices[nearerA ? ray.a.index : ray.b.index];
+  float sum = 0.0;
+  float total = 0.0;
+  uint start = 0u;
+  while (start < uint(end.x)) {
+    uvec2 segment = segmentOf(start);
+    float weight = ownWeight(ray, s, float(segment.x), float(segment.y));
+    sum += weight * segmentVisibility(ray, vec2(segment), float(segment.y), float(segment.y), lod);
+    total += weight;
+    start = segment.y;
+  }
+  float weight = ownWeight(ray, s, end.x, max(leading, end.x));
+  sum += weight * segmentVisibility(ray, end, clamp(ray.a.column, end.x, end.y), clamp(ray.b.column, end.x, end.y), lod);
+  total += weight;
+  return total > 0.0 ? sum / total : 1.0;
+}

@@ -1,0 +1,121 @@
+// The per-pixel half of every technique on rectified rows: view ray to rows, parts of the ray that rows do not cover, the block at the
+// epipole, phase function and result. A technique includes this after defining
+//   float meanVisibility(RowRay ray)     mean visibility, weighted by transmittance, of the columns before the ray's end
+// and after the bindings frame, light, slices, sceneDepth, shadowMap, scatter, and the constants kRowFilter and kFirstLight. A debug view that needs the functions only defines
+// TY_OWN_MAIN; one that defines TY_SHOWN, a vec4 with A >= 0, has that stored instead of the radiance.
+const int kRowNearest = 0, kRowLinear = 1, kRowMipmapped = 2;
+const int kMostBlockSteps = 2048;
+
+#include "stages/rows.glsl"
+#include "stages/rays.glsl"
+#include "stages/march.glsl"
+
+struct Row {
+  int index;
+  float weight;
+  float column;  // coordinate in [0, totalColumns()]: columns before it lie before the ray's end
+  Slice s;
+};
+
+struct RowRay {
+  Row a, b;         // the two slices next to the ray; with nearest rows b has weight 0
+  float slice;      // slice coordinate
+  float sine;       // of the inclination
+  float theta;      // rad
+  float depth;      // normalised
+  float first, last;  // distances from the axis at which the rows begin and end, m
+};
+
+int wrapSlice(int index) {
+  int count = int(light.map.slices);
+  return light.map.fullCircle != 0u ? (index + count) % count : clamp(index, 0, count - 1);
+}
+
+// Distance from the axis in the slice of `s` that a ray's end has: rows share columns along e1 in a projective map.
+float reachIn(Slice s, float reach, float x) { return light.map.slicing == kSlicesByTangent ? x * s.perX : reach; }
+
+RowRay rowRay(vec3 local, float end, bool interpolate) {
+  RowRay ray;
+  ray.sine = length(local.xy);
+  ray.theta = atan(ray.sine, local.z);
+  ray.depth = rectifiedDepth(ray.sine, local.x, local.z);
+  ray.slice = sliceCoordinate(local.xy);
+  float below = interpolate ? floor(ray.slice - 0.5) : floor(ray.slice);
+  float share = interpolate ? ray.slice - 0.5 - below : 0.0;
+  ray.a.index = wrapSlice(int(below));
+  ray.b.index = interpolate ? wrapSlice(int(below) + 1) : ray.a.index;
+  ray.a.weight = 1.0 - share;
+  ray.b.weight = share;
+  ray.a.s = slices[ray.a.index];
+  ray.b.s = slices[ray.b.index];
+  ray.a.column = columnAt(ray.a.s, reachIn(ray.a.s, ray.sine * end, local.x * end));
+  ray.b.column = columnAt(ray.b.s, reachIn(ray.b.s, ray.sine * end, local.x * end));
+  if (light.map.slicing == kSlicesByTangent) {
+    float perX = ray.sine / max(local.x, 1e-12);
+    ray.first = ray.a.s.last > ray.a.s.first ? perX / light.map.inverse[0] : 0.0;
+    ray.last = ray.a.s.last > ray.a.s.first ? perX / light.map.inverse[light.map.splits] : 0.0;
+  } else {
+    ray.first = ray.a.s.first * ray.a.weight + ray.b.s.first * ray.b.weight;
+    ray.last = ray.a.s.last * ray.a.weight + ray.b.s.last * ray.b.weight;
+  }
+  return ray;
+}
+
+float meanVisibility(RowRay ray);
+
+bool inEpipoleBlock(vec2 pixel) {
+  vec2 a = abs(pixel - light.epipoles.xy);
+  vec2 b = abs(pixel - light.epipoles.zw);
+  return min(max(a.x, a.y), max(b.x, b.y)) <= float(frame.rectified.epipole_block);
+}
+
+// Integral of visible transmittance over [0, end], m.
+float visibleTransmittance(RowRay ray, float end) {
+  float sigma_t = frame.rays.sigma_t;
+  float safeSine = max(ray.sine, 1e-7);
+  float enter = min(ray.first / safeSine, end);
+  float leave = min(ray.last / safeSine, end);
+  float all = transmittanceIntegral(sigma_t, 0.0, end);
+  if (leave <= enter) return all;
+  if (light.map.nearLit == 0u) enter = 0.0;  // what a projective map does not reach shares the average, as the paper has it
+  return all - transmittanceIntegral(sigma_t, enter, leave) * (1.0 - meanVisibility(ray));
+}
+
+#ifndef TY_OWN_MAIN
+void main() {
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (any(greaterThanEqual(pixel, uvec2(imageSize(scatter))))) return;
+  vec3 direction = rayDirection(frame.rays, pixel);
+  float perAxial = length(direction);
+  direction /= perAxial;
+  float end = perAxial * axialDistance(frame.rays, texelFetch(sceneDepth, ivec2(pixel), 0).x);
+  vec3 local = vec3(dot(direction, light.map.e1), dot(direction, light.map.e2), dot(direction, light.sun.towards));
+
+  float integral;
+  if (frame.rectified.epipole_block > 0 && inEpipoleBlock(vec2(pixel) + 0.5)) {
+    integral = denselyMarched(light.sun, shadowMap, direction, end, frame.rays.sigma_t, kMostBlockSteps);
+  } else {
+    bool interpolate = kRowFilter != kRowNearest;
+    integral = visibleTransmittance(rowRay(local, end, interpolate), end);
+    // Klehm et al. 2014, section 3.1: what the row says of the stretch up to the camera's near plane is taken off again.
+    if (frame.rectified.near_correction != 0 && light.map.slicing == kSlicesByTangent && light.map.nearLit == 0u) {
+      float near = min(perAxial * frame.rays.znear, end);
+      integral -= visibleTransmittance(rowRay(local, near, interpolate), near);
+    }
+  }
+  float sigma_s = frame.rays.albedo * frame.rays.sigma_t;
+  float phase = phaseHenyeyGreenstein(local.z, frame.rays.g);
+  vec3 radiance = sigma_s * phase * max(integral, 0.0) * light.sun.irradiance;
+#ifdef TY_SHOWN
+  vec4 shown = TY_SHOWN;
+  if (shown.a >= 0.0) {
+    imageStore(scatter, ivec2(pixel), shown);
+    return;
+  }
+#endif
+  if (kFirstLight)
+    imageStore(scatter, ivec2(pixel), vec4(radiance, exp(-frame.rays.sigma_t * end)));
+  else
+    imageStore(scatter, ivec2(pixel), imageLoad(scatter, ivec2(pixel)) + vec4(radiance, 0.0));
+}
+#endif

@@ -1,0 +1,73 @@
+// From view rays to rows of the rectified map. Needs lib/epipolar.glsl and stages/rectified.h before it, and in scope:
+// `light` (RectifiedSunBlock) and `slices[]` (Slice).
+
+const float kPi = 3.14159265358979;
+
+// Slice coordinate of a direction with components p along (e1, e2): slice i covers [i, i + 1].
+float sliceCoordinate(vec2 p) {
+  if (light.map.slicing == kSlicesByTangent) return (p.y / p.x - light.map.sliceLow) / light.map.sliceStep;
+  float phi = atan(p.y, p.x);
+  if (light.map.slicing == kSlicesByAzimuth) return (phi - light.map.sliceLow) / light.map.sliceStep;
+  uint i = 0u;
+  while (i + 1u < light.map.edgeCount && phi > light.map.edges[i].phiEnd) ++i;
+  BorderEdge edge = light.map.edges[i];
+  float turn = edge.delta.x * p.y - edge.delta.y * p.x;
+  float t = -(edge.start.x * p.y - edge.start.y * p.x) / (abs(turn) < 1e-12 ? 1e-12 : turn);
+  return edge.sliceStart + clamp(t, 0.0, 1.0) * edge.sliceCount;
+}
+
+// Unit direction along (e1, e2) of a slice coordinate.
+vec2 sliceDirection(float at) {
+  if (light.map.slicing == kSlicesByTangent) return normalize(vec2(1.0, light.map.sliceLow + at * light.map.sliceStep));
+  if (light.map.slicing == kSlicesByAzimuth) {
+    float phi = light.map.sliceLow + at * light.map.sliceStep;
+    return vec2(cos(phi), sin(phi));
+  }
+  uint i = 0u;
+  while (i + 1u < light.map.edgeCount && at > light.map.edges[i].sliceStart + light.map.edges[i].sliceCount) ++i;
+  BorderEdge edge = light.map.edges[i];
+  float t = clamp((at - edge.sliceStart) / max(edge.sliceCount, 1e-6), 0.0, 1.0);
+  return normalize(edge.start + t * edge.delta);
+}
+
+// Normalised depth in [0, 1], growing away from the light, of a point at distance c from the axis, x along e1 and height h along the
+// axis; constant along a view ray, for which any point of it does.
+float rectifiedDepth(float c, float x, float h) {
+  float raw = light.map.slicing == kSlicesByTangent ? -h / x : inclination(c, h);
+  float depth = clamp((raw - light.map.depthLow) * light.map.depthScale, 0.0, 1.0);
+  return light.map.depthPower == 1.0 ? depth : pow(depth, light.map.depthPower);
+}
+
+// The same warp for depths rasterised by the projective matrix, which are not warped yet.
+float warpedDepth(float depth) { return light.map.depthPower == 1.0 ? depth : pow(depth, light.map.depthPower); }
+
+uint totalColumns() { return light.map.columns * light.map.splits; }
+
+// Distance from the axis, m, at a column coordinate in [0, totalColumns()].
+float columnDistance(Slice s, float column) {
+  float at = column / float(light.map.columns);
+  if (light.map.slicing != kSlicesByTangent) return mix(s.first, s.last, at);
+  uint i = min(uint(at), light.map.splits - 1u);
+  return s.perX / mix(light.map.inverse[i], light.map.inverse[i + 1u], at - float(i));
+}
+
+// The column coordinate at distance c from the axis, clamped to the map.
+float columnAt(Slice s, float c) {
+  float columns = float(light.map.columns);
+  if (light.map.slicing != kSlicesByTangent)
+    return s.last > s.first ? clamp((c - s.first) / (s.last - s.first), 0.0, 1.0) * columns : 0.0;
+  if (s.last <= s.first) return 0.0;
+  float inverse = s.perX / max(c, 1e-12);
+  uint i = 0u;
+  while (i + 1u < light.map.splits && inverse < light.map.inverse[i + 1u]) ++i;
+  float a = light.map.inverse[i];
+  float b = light.map.inverse[i + 1u];
+  return (float(i) + clamp((a - inverse) / (a - b), 0.0, 1.0)) * columns;
+}
+
+// The segment that `column` (a texel) lies in: its first column and the first one behind it.
+uvec2 segmentOf(uint column) {
+  uint base = column / light.map.columns * light.map.columns;
+  uint start = base + (column - base) / light.map.segmentColumns * light.map.segmentColumns;
+  return uvec2(start, min(start + light.map.segmentColumns, base + light.map.columns));
+}
