@@ -67,8 +67,8 @@ TEST(Load, theTemplateIsAPlugin) {
 
 TEST(Load, refusesInOneLine) {
   const std::pair<const char*, const char*> cases[] = {
-      {"newer_major", "built for plugin ABI 2.0; this program takes 1.0"},
-      {"newer_minor", "built for plugin ABI 1.1; this program takes 1.0"},
+      {"newer_major", "built for plugin ABI 2.0; this program takes 1.1"},
+      {"newer_minor", "built for plugin ABI 1.2; this program takes 1.1"},
       {"zero_struct", "id"},
       {"no_symbol", "no symbol 'tyndall_plugin'"},
       {"init_fails", "init failed"},
@@ -138,7 +138,8 @@ TEST(Load, fiftyTimesWithoutGrowth) {
     EXPECT_GT(mappedPluginParts(), 0u);
   }
   EXPECT_EQ(mappedPluginParts(), 0u);
-  EXPECT_LE(mappedParts(), mapped + 2);
+  // Everything else in the process may map a little too (a sanitizer's allocator does); one part left by each load is 100.
+  EXPECT_LE(mappedParts(), mapped + 20);
   EXPECT_TRUE(fs::is_empty(temporary.path())) << "a copy was left behind";
   ::unsetenv("TMPDIR");
 }
