@@ -29,7 +29,12 @@ struct FrameRefs {
   std::vector<bool> imageHasContents;  ///< false: no pass of this frame writes it
   render::ImageRef output, depth;
   std::vector<render::ImageRef> shadowMaps;  ///< of each light
+  /// Which of the layout's runs the graph recorded: it drops those whose results nobody reads. Filled while it records.
+  std::shared_ptr<std::vector<bool>> recorded;
 };
+
+/// Memory of what the recorded passes of a frame used, each image and buffer on its own, history always.
+std::uint64_t bytesUsed(const Built& built, const FrameRefs& refs);
 
 /// Declares all passes of one frame. Passes are named "name", or "name [light 2]" where they repeat per light.
 std::shared_ptr<const FrameRefs> addFramePasses(const render::EffectInput& input, const std::shared_ptr<Built>& built,

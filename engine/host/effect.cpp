@@ -39,9 +39,10 @@ Result<render::ImageRef> PluginEffect::addPasses(const render::EffectInput& inpu
   s.built->uniforms.commit(pending.slot);
   s.refs = addFramePasses(input, s.built, s.plugin.id(), pending.slot);
   pending.built = s.built;
+  pending.refs = s.refs;
   for (const State::Automatic& a : s.automatics) {
     const auto choice = s.tuner.current(a.key, a.tunable.variants);
-    if (choice.settled) continue;
+    if (choice.settled || s.anySkipped(a.tunable.passes)) continue;
     pending.timedKey = a.key;
     pending.timedVariant = choice.variant;
     pending.timedPasses = a.tunable.passes;
@@ -99,6 +100,7 @@ void PluginEffect::frameFinished(const std::vector<render::PassTime>& passes) {
   if (s.pending.empty()) return;
   const State::Pending frame = std::move(s.pending.front());
   s.pending.pop_front();
+  s.bytes = frame.built ? bytesUsed(*frame.built, *frame.refs) : 0;
   if (!frame.built) return;
   if (const auto& counters = frame.built->layout.counters; counters && !counters->names.empty()) {
     s.counters.clear();
@@ -148,7 +150,7 @@ std::vector<std::string> PluginEffect::reloadShaders() {
   return lines;
 }
 
-std::uint64_t PluginEffect::memoryBytes() const { return state_->built ? state_->built->resources.bytes : 0; }
+std::uint64_t PluginEffect::memoryBytes() const { return state_->bytes; }
 const std::optional<Error>& PluginEffect::failure() const { return state_->failure; }
 
 }  // namespace tyndall::host

@@ -27,6 +27,7 @@ struct PluginEffect::State {
   /// What is known of a frame whose passes were declared, until frameFinished() tells of it.
   struct Pending {
     std::shared_ptr<Built> built;  ///< null: nothing ran
+    std::shared_ptr<const FrameRefs> refs;
     std::uint32_t slot = 0;
     std::string timedKey;  ///< the tunable that this frame times, or ""
     std::size_t timedVariant = 0;
@@ -38,6 +39,8 @@ struct PluginEffect::State {
   Result<void> update(const Structure& asked, bool castersOffered);
   bool prepare(const render::EffectInput& input, const Structure& asked);
   void resolve(Structure& structure);
+  /// The last prepare() left out a run of one of these passes: a frame that times nothing of them.
+  bool anySkipped(const std::vector<std::string>& passes) const;
 
   gpu::Device& device;
   Plugin& plugin;
@@ -54,6 +57,7 @@ struct PluginEffect::State {
   std::deque<Pending> pending;
   std::shared_ptr<const FrameRefs> refs;  ///< of the last addPasses
   std::vector<std::pair<std::string, std::uint64_t>> counters;
+  std::uint64_t bytes = 0;  ///< what the last finished frame used
 };
 
 }  // namespace tyndall::host

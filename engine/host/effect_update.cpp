@@ -1,4 +1,6 @@
 // From what is asked for to a layout made real, and the call of prepare().
+#include <algorithm>
+
 #include "effect_state.hpp"
 
 namespace tyndall::host {
@@ -42,7 +44,7 @@ Result<void> PluginEffect::State::build(Structure structure, bool castersOffered
   auto made = pipelines.of(next->layout);
   if (!made) return made.error();
   next->pipelines = made.take();
-  auto resources = makeResources(device, next->layout, next->structure.width, next->structure.height);
+  auto resources = makeResources(device, next->layout);
   if (!resources) return resources.error();
   next->resources = resources.take();
   auto uniforms = UniformRing::create(
@@ -81,6 +83,14 @@ Result<void> PluginEffect::State::update(const Structure& wanted, bool castersOf
   if (built && built->structure.sameLayout(resolved)) return {};
   built.reset();  // before the new one is made: both at once may not fit
   return build(std::move(resolved), castersOffered);
+}
+
+bool PluginEffect::State::anySkipped(const std::vector<std::string>& passes) const {
+  for (const PassRun& run : built->runs)
+    if (std::find(passes.begin(), passes.end(), built->layout.passes[run.pass].name) != passes.end() &&
+        built->uniforms.skipped(run.pass, run.light == TY_NONE ? 0 : run.light))
+      return true;
+  return false;
 }
 
 bool PluginEffect::State::prepare(const render::EffectInput& input, const Structure& wanted) {

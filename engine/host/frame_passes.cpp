@@ -11,6 +11,14 @@ namespace {
 using render::PassContext;
 using render::Use;
 
+/// A pass may sample some parts of an image while it stores to others: the image is then in GENERAL for both.
+VkImageLayout sampledLayout(const Built& built, std::uint32_t pass, const TyBinding& b) {
+  for (const PassUse& use : built.uses[pass])
+    if (use.resource == LayoutResource{b.source, b.index} && use.access == PassAccess::kSampledStorage)
+      return VK_IMAGE_LAYOUT_GENERAL;
+  return VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+}
+
 /// What one run of a pass needs while it records; everything by value, because it records later.
 struct Run {
   std::shared_ptr<Built> built;
@@ -42,7 +50,8 @@ void bind(PassContext& context, const Run& run) {
     } else {
       const VkImageView view = context.view(run.image(b.source, b.index), viewOf(run.built->layout, b));
       if (b.access == TY_ACCESS_SAMPLED)
-        descriptors.sampled(b.binding, view, samplerOf(context.device(), b.sampler));
+        descriptors.sampled(b.binding, view, samplerOf(context.device(), b.sampler),
+                            sampledLayout(*run.built, run.pass, b));
       else
         descriptors.storageImage(b.binding, view);
     }
@@ -100,6 +109,7 @@ Use useFor(PassAccess access, bool compute, bool partOfWritten) {
     // "Old contents are lost" is true of the part that is bound; the rest of the image must survive.
     case PassAccess::kStorageWrite: return partOfWritten ? Use::kStorageReadWriteCompute : Use::kStorageWriteCompute;
     case PassAccess::kStorageReadWrite: return Use::kStorageReadWriteCompute;
+    case PassAccess::kSampledStorage: return Use::kSampledStorageCompute;
     case PassAccess::kColorWrite: return partOfWritten ? Use::kColorReadWrite : Use::kColorWrite;
     case PassAccess::kColorReadWrite: return Use::kColorReadWrite;
     case PassAccess::kDepthWrite: return partOfWritten ? Use::kDepthReadWrite : Use::kDepthWrite;
@@ -141,6 +151,7 @@ std::shared_ptr<FrameRefs> declare(const render::EffectInput& input, Built& buil
   auto refs = std::make_shared<FrameRefs>();
   const Layout& layout = built.layout;
   refs->depth = input.depth;
+  refs->recorded = std::make_shared<std::vector<bool>>(built.runs.size());
   for (const render::ShadowedLight& light : input.lights) refs->shadowMaps.push_back(light.shadowMap);
   const VkImageLayout before = built.resources.historyCleared ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_UNDEFINED;
   for (std::size_t i = 0; i < layout.images.size(); ++i) {
@@ -190,6 +201,27 @@ void readCounters(render::Graph& graph, const std::shared_ptr<Built>& built,
 
 }  // namespace
 
+std::uint64_t bytesUsed(const Built& built, const FrameRefs& refs) {
+  const Layout& layout = built.layout;
+  std::vector<bool> images(layout.images.size()), buffers(layout.buffers.size());
+  bool output = false;
+  for (std::size_t r = 0; r < built.runs.size(); ++r) {
+    if (!(*refs.recorded)[r]) continue;
+    for (const PassUse& use : built.uses[built.runs[r].pass]) {
+      if (use.resource.source == TY_SOURCE_IMAGE) images[use.resource.index] = true;
+      if (use.resource.source == TY_SOURCE_BUFFER) buffers[use.resource.index] = true;
+      output |= use.resource.source == TY_SOURCE_OUTPUT;
+    }
+  }
+  if (layout.counters && !layout.counters->names.empty()) buffers[layout.counters->buffer] = true;
+  std::uint64_t bytes = output ? std::uint64_t{built.structure.width} * built.structure.height * 16 : 0;
+  for (std::size_t i = 0; i < images.size(); ++i)
+    if (images[i] || isHistory(layout.images[i])) bytes += imageBytes(layout.images[i].d);
+  for (std::size_t i = 0; i < buffers.size(); ++i)
+    if (buffers[i] || isHistory(layout.buffers[i])) bytes += layout.buffers[i].d.size;
+  return bytes;
+}
+
 bool isRunOf(const std::string& graphName, const std::string& name) {
   return graphName == name || graphName.starts_with(name + " [light ");
 }
@@ -211,9 +243,11 @@ std::shared_ptr<const FrameRefs> addFramePasses(const render::EffectInput& input
   }
 
   std::vector<LayoutResource> written;
-  for (const PassRun& passRun : built->runs) {
+  for (std::size_t index = 0; index < built->runs.size(); ++index) {
+    const PassRun& passRun = built->runs[index];
     const LayoutPass& p = layout.passes[passRun.pass];
     const Run run{built, refs, passRun.pass, passRun.light, slot};
+    const auto recorded = [all = refs->recorded, index] { (*all)[index] = true; };
     const bool compute = p.d.kind == TY_PASS_COMPUTE || p.d.kind == TY_PASS_COMPUTE_INDIRECT;
     auto pass = input.graph.pass(
         passRun.light == TY_NONE ? p.name : p.name + " [light " + std::to_string(passRun.light) + "]", owner);
@@ -233,13 +267,18 @@ std::shared_ptr<const FrameRefs> addFramePasses(const render::EffectInput& input
       pass.use(run.image(use.resource.source, use.resource.index),
                useFor(use.access, compute, parts && (before || kept)));
     }
+    if (built->uniforms.skipped(passRun.pass, run.block())) {
+      pass.idle().run([recorded](PassContext&) { recorded(); });
+      continue;
+    }
     if (p.d.kind != TY_PASS_CASTERS) {
-      pass.run([run](PassContext& context) { record(context, run); });
+      pass.run([run, recorded](PassContext& context) { recorded(), record(context, run); });
       continue;
     }
     glm::mat4 clipFromWorld{1};
     std::memcpy(&clipFromWorld[0][0], built->uniforms.staged(p.d.caster_uniform, run.block()), sizeof clipFromWorld);
-    pass.run([run, clipFromWorld, draw = input.drawCasters](PassContext& context) {
+    pass.run([run, recorded, clipFromWorld, draw = input.drawCasters](PassContext& context) {
+      recorded();
       beginRendering(context, run);
       draw(context, clipFromWorld);
       context.endRendering();

@@ -29,12 +29,60 @@ PassAccess accessOf(const TyBinding& binding) {
   }
 }
 
+/// What a binding reaches of its image, half-open.
+struct Part {
+  std::uint32_t firstMip, endMip, firstLayer, endLayer;
+  bool touches(const Part& o) const {
+    return firstMip < o.endMip && o.firstMip < endMip && firstLayer < o.endLayer && o.firstLayer < endLayer;
+  }
+};
+Part partOf(const TyImage& image, const TyBinding& b) {
+  const std::uint32_t layers = image.kind == TY_IMAGE_2D_ARRAY ? image.depth : 1;
+  const std::uint32_t mips = b.access != TY_ACCESS_SAMPLED ? 1 : b.mip_count;
+  return {b.base_mip, mips ? b.base_mip + mips : image.mips, b.base_layer,
+          b.layer_count ? b.base_layer + b.layer_count : layers};
+}
+
+/// All bindings of one image together. Mixed uses are one state if what is written is used by no other binding.
+Result<PassAccess> imageAccess(const Layout& layout, const LayoutPass& pass, std::uint32_t index) {
+  const TyImage& image = layout.images[index].d;
+  std::vector<const TyBinding*> bindings;
+  for (const TyBinding& b : pass.bindings)
+    if (b.source == TY_SOURCE_IMAGE && b.index == index) bindings.push_back(&b);
+  const PassAccess first = accessOf(*bindings.front());
+  bool sampled = false, mixed = false;
+  for (const TyBinding* b : bindings) sampled |= accessOf(*b) == PassAccess::kSampled, mixed |= accessOf(*b) != first;
+  if (!mixed && (!writesTo(first) || first == PassAccess::kStorageReadWrite)) return first;
+  for (std::size_t i = 0; i < bindings.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const TyBinding &a = *bindings[k], &b = *bindings[i];
+      const bool same = a.access == b.access && a.access != TY_ACCESS_STORAGE_WRITE;
+      const bool written = writesTo(accessOf(a)) || writesTo(accessOf(b));
+      if (!same && (!written || partOf(image, a).touches(partOf(image, b))))
+        return failed("pass '" + pass.name + "': bindings " + std::to_string(a.binding) + " and " +
+                      std::to_string(b.binding) + " use image '" + layout.images[index].name + "' in two ways at once" +
+                      (written ? " and their mips and layers overlap; keep what is written apart (base_mip, mip_count, "
+                                 "base_layer, layer_count), or split the pass"
+                               : "; read it one way, or split the pass"));
+    }
+  if (sampled) return PassAccess::kSampledStorage;
+  return mixed ? PassAccess::kStorageReadWrite : first;
+}
+
 }  // namespace
 
-Result<std::vector<PassUse>> usesOf(const Layout&, const LayoutPass& pass) {
+Result<std::vector<PassUse>> usesOf(const Layout& layout, const LayoutPass& pass) {
   std::vector<PassUse> uses;
   for (const TyBinding& binding : pass.bindings) {
     if (binding.source == TY_SOURCE_UNIFORM) continue;
+    if (binding.source == TY_SOURCE_IMAGE) {
+      const LayoutResource image{TY_SOURCE_IMAGE, binding.index};
+      if (std::any_of(uses.begin(), uses.end(), [&](const PassUse& use) { return use.resource == image; })) continue;
+      const auto access = imageAccess(layout, pass, binding.index);
+      if (!access) return access.error();
+      uses.push_back({image, *access});
+      continue;
+    }
     if (auto r = join(uses, {binding.source, binding.index}, accessOf(binding), pass); !r) return r.error();
   }
   for (const TyTarget& target : pass.targets)

@@ -107,23 +107,20 @@ gpu::ViewDesc viewOf(const Layout& layout, const TyBinding& binding) {
   return view;
 }
 
-Result<Resources> makeResources(gpu::Device& device, const Layout& layout, std::uint32_t width, std::uint32_t height) {
+Result<Resources> makeResources(gpu::Device& device, const Layout& layout) {
   Resources r;
   r.images.resize(layout.images.size());
   r.buffers.resize(layout.buffers.size());
-  r.bytes = layout.passes.empty() ? 0 : std::uint64_t{width} * height * 16;
   for (std::uint32_t i = 0; i < layout.images.size(); ++i) {
     gpu::ImageDesc desc = describe(layout.images[i]);
     desc.usage = usageOf(layout, i);
     if (auto fits = supported(device, layout, i, desc); !fits) return fits.error();
-    r.bytes += imageBytes(layout.images[i].d);
     if (!isHistory(layout.images[i])) continue;
     auto image = device.createImage(desc);
     if (!image) return image.error();
     r.images[i] = image.take();
   }
   for (std::uint32_t i = 0; i < layout.buffers.size(); ++i) {
-    r.bytes += layout.buffers[i].d.size;
     if (!isHistory(layout.buffers[i])) continue;
     auto buffer =
         device.createBuffer({.name = layout.buffers[i].name,

@@ -23,10 +23,9 @@ struct Resources {
   std::vector<gpu::Buffer> buffers;
   std::array<gpu::Buffer, kFrameSlots> counterSlots;  ///< host-visible, if there are counters
   bool historyCleared = false;  ///< zeroed by a recorded frame (history starts as zeros, never as garbage)
-  std::uint64_t bytes = 0;      ///< of all images and buffers of the layout and the output, each on its own
 };
 
 /// Refuses an image that the device cannot make for the uses the layout has for it, then makes what is kept.
-Result<Resources> makeResources(gpu::Device& device, const Layout& layout, std::uint32_t width, std::uint32_t height);
+Result<Resources> makeResources(gpu::Device& device, const Layout& layout);
 
 }  // namespace tyndall::host

@@ -24,11 +24,14 @@ Result<UniformRing> UniformRing::create(gpu::Device& device, const Layout& layou
     ring.ring_ = buffer.take();
   }
   ring.staging_.resize(bytes);
+  ring.skipStride_ = std::max(1u, lights);
+  ring.skip_.resize(layout.passes.size() * ring.skipStride_);
   return ring;
 }
 
 const TyUniformData& UniformRing::begin() {
   std::fill(staging_.begin(), staging_.end(), std::byte{0});
+  std::fill(skip_.begin(), skip_.end(), std::uint8_t{0});
   data_.clear();
   strides_.clear();
   for (const Block& block : blocks_) {
@@ -40,6 +43,8 @@ const TyUniformData& UniformRing::begin() {
   abi_.block_count = static_cast<std::uint32_t>(blocks_.size());
   abi_.data = data_.data();
   abi_.stride = strides_.data();
+  abi_.skip = skip_.data();
+  abi_.skip_stride = skipStride_;
   return abi_;
 }
 

@@ -14,6 +14,7 @@ inline constexpr std::uint32_t kFrameSlots = 3;
 
 class UniformRing {
  public:
+  /// Also holds the run-by-run skip flags that prepare() may set.
   static Result<UniformRing> create(gpu::Device& device, const Layout& layout, std::uint32_t lights,
                                     const std::string& name);
   UniformRing() = default;
@@ -29,6 +30,10 @@ class UniformRing {
   };
   Place place(std::uint32_t block, std::uint32_t light, std::uint32_t slot) const;
   const std::byte* staged(std::uint32_t block, std::uint32_t light) const;
+  /// Set by the last prepare(): this run of `pass` has nothing to do in this frame.
+  bool skipped(std::uint32_t pass, std::uint32_t light) const {
+    return skip_[std::size_t{pass} * skipStride_ + light] != 0;
+  }
   VkBuffer buffer() const { return ring_.handle(); }
   std::uint64_t bytes() const { return ring_ ? ring_.size() : 0; }
 
@@ -42,6 +47,8 @@ class UniformRing {
   std::vector<std::byte> staging_;
   std::vector<std::uint8_t*> data_;
   std::vector<std::uint32_t> strides_;
+  std::vector<std::uint8_t> skip_;
+  std::uint32_t skipStride_ = 1;
   TyUniformData abi_{};
   gpu::Buffer ring_;
 };

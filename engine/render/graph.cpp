@@ -114,6 +114,11 @@ Graph::Pass& Graph::Pass::keep() {
   return *this;
 }
 
+Graph::Pass& Graph::Pass::idle() {
+  graph_.state_->passes[index_].idle = true;
+  return *this;
+}
+
 void Graph::Pass::run(std::function<void(PassContext&)> record) {
   graph_.state_->passes[index_].record = std::move(record);
 }

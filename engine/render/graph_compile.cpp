@@ -138,7 +138,8 @@ VkDeviceSize Graph::ownerBytes(std::string_view owner) const {
 std::vector<PassTime> Graph::passes() const {
   std::vector<PassTime> result;
   for (std::size_t p = 0; p < state_->kept.size(); ++p)
-    if (state_->kept[p]) result.push_back({state_->passes[p].name, state_->passes[p].owner, 0});
+    if (state_->kept[p] && !state_->passes[p].idle)
+      result.push_back({state_->passes[p].name, state_->passes[p].owner, 0});
   return result;
 }
 

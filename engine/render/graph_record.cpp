@@ -95,7 +95,7 @@ void Graph::record(VkCommandBuffer commands, gpu::Timestamps* timestamps) {
     if (p == lastPass)
       s.recordBarriers(commands, s.barriers.after);  // inside the last span, so that spans sum to the frame
     endLabel(commands);
-    if (timestamps) timestamps->mark(commands);
+    if (timestamps && !pass.idle) timestamps->mark(commands);
   }
   s.currentPass = ~0u;
   if (lastPass == ~0u) s.recordBarriers(commands, s.barriers.after);

@@ -67,7 +67,7 @@ struct GraphResource {
 
 struct GraphPass {
   std::string name, owner;
-  bool keep = false;
+  bool keep = false, idle = false;
   std::vector<plan::ResourceUse> uses;
   std::function<void(PassContext&)> record;
 };

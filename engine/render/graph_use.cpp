@@ -70,6 +70,14 @@ UseInfo useInfo(Use use) {
               .imageUsage = kStorageUsage,
               .bufferUsage = kStorageBuffer,
               .reads = true};
+    // One layout for the whole image: its sampled parts are read in GENERAL too.
+    case Use::kSampledStorageCompute:
+      return {.stages = kCompute,
+              .access = kSampledRead | kStorageRead | kStorageWrite,
+              .writeAccess = kStorageWrite,
+              .layout = VK_IMAGE_LAYOUT_GENERAL,
+              .imageUsage = kSampledUsage | kStorageUsage,
+              .reads = true};
     // Attachments that are cleared may still blend or test within their pass, hence the read access.
     case Use::kColorWrite:
       return {.stages = kColor,
@@ -141,10 +149,14 @@ UseInfo useInfo(Use use) {
 }
 
 const char* useName(Use use) {
-  static constexpr const char* kNames[] = {
-      "sampled (compute)", "sampled (graphics)", "storage read", "storage write",    "storage read-write",
-      "colour write",      "colour read-write",  "depth write",  "depth read-write", "depth read",
-      "transfer read",     "transfer write",     "uniform",      "indirect",         "present"};
+  static constexpr const char* kNames[] = {"sampled (compute)",  "sampled (graphics)",
+                                           "storage read",       "storage write",
+                                           "storage read-write", "sampled and storage",
+                                           "colour write",       "colour read-write",
+                                           "depth write",        "depth read-write",
+                                           "depth read",         "transfer read",
+                                           "transfer write",     "uniform",
+                                           "indirect",           "present"};
   return kNames[static_cast<std::size_t>(use)];
 }
 

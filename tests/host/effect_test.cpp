@@ -97,7 +97,7 @@ TEST_F(Effect, debugViews) {
   load(kPasses);
   std::vector<std::string> names;
   for (const auto& view : effect_->debugViews()) names.push_back(view.name);
-  EXPECT_THAT(names, ElementsAre("sum", "part", "map of light 7")) << "before any frame";
+  EXPECT_THAT(names, ElementsAre("sum", "part", "map of light 7", "chain")) << "before any frame";
   addLight(LightKind::kDirectional, glm::vec3(1), 3, 0);
   gpu::Buffer sum;
   frame(false, [&](render::Graph& graph) {
@@ -113,6 +113,78 @@ TEST_F(Effect, debugViews) {
     EXPECT_FALSE(effect_->debugImage("unknown").image);
   });
   EXPECT_EQ(reinterpret_cast<const float*>(sum.mapped())[0], 1 + 3);
+}
+
+TEST_F(Effect, whatOnlyADebugViewShowsRunsAndCountsOnlyWhileItIsShown) {
+  load(kPasses);
+  addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);
+  const auto chained = [this] {
+    return std::count_if(times_.begin(), times_.end(),
+                         [](const render::PassTime& t) { return t.name.starts_with("chain"); });
+  };
+  frame();
+  EXPECT_EQ(chained(), 0);
+  const std::uint64_t without = effect_->memoryBytes();
+  gpu::Buffer mip;
+  frame(false, [&](render::Graph& graph) {
+    const auto view = effect_->debugImage("chain");
+    ASSERT_TRUE(view.image);
+    mip = copyOut(graph, view.image, view.view.baseMip);
+  });
+  EXPECT_EQ(chained(), 4);
+  EXPECT_EQ(effect_->memoryBytes() - without, 4u * (32 * 16 + 16 * 8 + 8 * 4 + 4 * 2));
+  // Each pass sampled one mip and stored the next of the same image: an 8 x 8 block of x + 100 y, summed.
+  for (std::uint32_t y = 0; y < 2; ++y)
+    for (std::uint32_t x = 0; x < 4; ++x)
+      EXPECT_EQ(reinterpret_cast<const float*>(mip.mapped())[4 * y + x],
+                64 * (8 * static_cast<float>(x) + 3.5f) + 6400 * (8 * static_cast<float>(y) + 3.5f))
+          << x << ' ' << y;
+  frame();
+  EXPECT_EQ(chained(), 0);
+  EXPECT_EQ(effect_->memoryBytes(), without);
+}
+
+TEST_F(Effect, skippedRunsRecordNothing) {
+  load(kPasses);
+  addLight(LightKind::kDirectional, glm::vec3(2, 0, 0), 1, 0);
+  addLight(LightKind::kSpot, glm::vec3(5, 0, 0), 1, 0);
+  ASSERT_TRUE(table_.setAssignment("passes.variant=one"));
+  EXPECT_EQ(frame().at(1, 1), glm::vec4(1 + 2 + 5, 1, 100.25f + 1, 0.5f));
+  ASSERT_TRUE(table_.setAssignment("passes.skip=1"));
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(frame().at(1, 1), glm::vec4(1 + 2 + 5, 1, 100.25f + 1, 0.5f)) << "history as it was";
+    EXPECT_FALSE(ran("history"));
+    EXPECT_TRUE(ran("accumulate"));
+  }
+  ASSERT_TRUE(table_.setAssignment("passes.skip=2"));
+  EXPECT_EQ(frame().at(1, 1), glm::vec4(2 + 2, 2, 100.25f + 1, 0.5f)) << "one light alone, and history goes on";
+  EXPECT_TRUE(ran("light [light 0]") && ran("add [light 0]"));
+  EXPECT_FALSE(ran("light [light 1]") || ran("add [light 1]"));
+  ASSERT_TRUE(table_.setAssignment("passes.skip=0"));
+  EXPECT_EQ(frame().at(1, 1).r, 3 + 2 + 5) << "skipping lasts one frame";
+}
+
+TEST_F(Effect, skippedCastersDrawNothing) {
+  load(kPasses);
+  addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);
+  int draws = 0;
+  drawCasters_ = [&](render::PassContext&, const glm::mat4&) { ++draws; };
+  ASSERT_TRUE(table_.setText("passes.break", "casters"));
+  ASSERT_TRUE(table_.setAssignment("passes.variant=one"));
+  frame();
+  EXPECT_EQ(draws, 1);
+  ASSERT_TRUE(table_.setAssignment("passes.skip=4"));
+  EXPECT_FALSE(frame().empty);
+  EXPECT_EQ(draws, 1);
+}
+
+TEST_F(Effect, framesThatSkipATimedPassTuneNothing) {
+  load(kPasses);
+  addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);
+  addLight(LightKind::kSpot, glm::vec3(1), 1, 0);
+  ASSERT_TRUE(table_.setAssignment("passes.skip=2"));
+  for (int i = 0; i < 12; ++i) frame();
+  EXPECT_THAT(effect_->resolved(), ElementsAre(Pair("passes.variant", "one"))) << "the first, still to be timed";
 }
 
 TEST_F(Effect, tunesBySpeedAndRemembers) {

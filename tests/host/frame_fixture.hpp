@@ -141,9 +141,11 @@ class FrameFixture : public testing::Test {
     return picture;
   }
 
-  /// Reads a whole one-layer view of an image of 16-byte texels into a host buffer.
-  gpu::Buffer copyOut(render::Graph& graph, render::ImageRef image) {
-    const gpu::ImageDesc desc = graph.desc(image);
+  /// Reads one mip of the first layer of an image into a host buffer.
+  gpu::Buffer copyOut(render::Graph& graph, render::ImageRef image, std::uint32_t mip = 0) {
+    gpu::ImageDesc desc = graph.desc(image);
+    desc.width = std::max(1u, desc.width >> mip);
+    desc.height = std::max(1u, desc.height >> mip);
     auto host = device_->createBuffer({.name = "read back",
                                        .size = std::uint64_t{desc.width} * desc.height * gpu::texelBytes(desc.format),
                                        .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
@@ -152,7 +154,7 @@ class FrameFixture : public testing::Test {
     const VkBuffer handle = host->handle();
     graph.pass("read back").use(image, render::Use::kTransferRead).keep().run([=](render::PassContext& context) {
       VkBufferImageCopy copy{};
-      copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+      copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, 1};
       copy.imageExtent = {desc.width, desc.height, 1};
       vkCmdCopyImageToBuffer(context.commands(), context.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, handle, 1,
                              &copy);

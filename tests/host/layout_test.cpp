@@ -138,6 +138,34 @@ TEST(Layout, theGoodOneIsTaken) {
   EXPECT_TRUE(good) << good.error().message;
 }
 
+TEST(Layout, onePassMayReadSomePartsOfAnImageAndWriteOthers) {
+  const auto use = [](const Given& g) {
+    auto copy = copyLayout(&g.layout);
+    const auto uses = usesOf(*copy, copy->passes[kLight]);
+    EXPECT_TRUE(g.check()) << g.check().error().message;
+    for (const PassUse& u : uses.value())
+      if (u.resource == LayoutResource{TY_SOURCE_IMAGE, kArray}) return u.access;
+    return PassAccess::kIndirect;
+  };
+  Given mips;  // samples mips 0 and 1, stores to mip 2
+  mips.bindings[kLight][1] = Given::bind(1, TY_SOURCE_IMAGE, kArray, TY_ACCESS_STORAGE_WRITE);
+  mips.bindings[kLight][1].base_mip = 2;
+  mips.bindings[kLight][3].mip_count = 2;
+  EXPECT_EQ(use(mips), PassAccess::kSampledStorage);
+  Given layers;  // samples layers 0 and 1, loads and stores the rest
+  layers.bindings[kLight][1] = Given::bind(1, TY_SOURCE_IMAGE, kArray, TY_ACCESS_STORAGE_READ_WRITE);
+  layers.bindings[kLight][1].base_layer = 2;
+  layers.bindings[kLight][3].layer_count = 2;
+  EXPECT_EQ(use(layers), PassAccess::kSampledStorage);
+  Given stores;  // two mips at once
+  stores.bindings[kLight][1] = stores.bindings[kLight][3] =
+      Given::bind(1, TY_SOURCE_IMAGE, kArray, TY_ACCESS_STORAGE_WRITE);
+  stores.bindings[kLight][3].binding = 3;
+  stores.bindings[kLight][3].base_mip = 1;
+  EXPECT_EQ(use(stores), PassAccess::kStorageWrite);
+  EXPECT_TRUE(readsOld(PassAccess::kSampledStorage) && writesTo(PassAccess::kSampledStorage));
+}
+
 TEST(Layout, theCopyOutlivesThePlugin) {
   auto given = std::make_unique<Given>();
   auto layout = copyLayout(&given->layout);
@@ -250,6 +278,29 @@ TEST(LayoutRefused, bindings) {
       {"only compute passes", [](Given& g) { g.bindings[kScreen][1].access = TY_ACCESS_STORAGE_READ_WRITE; }},
       {"only compute passes", [](Given& g) { g.bindings[kScreen][0].access = TY_ACCESS_STORAGE_READ; }},
       {"two ways", [](Given& g) { g.bindings[kLight][3] = Given::bind(3, TY_SOURCE_IMAGE, kFlat, TY_ACCESS_SAMPLED); }},
+      {"bindings 1 and 3 use image 'array' in two ways at once and their mips and layers overlap",
+       [](Given& g) {
+         g.bindings[kLight][1] = Given::bind(1, TY_SOURCE_IMAGE, kArray, TY_ACCESS_STORAGE_WRITE);
+         g.bindings[kLight][1].base_mip = 2;
+         g.bindings[kLight][3].mip_count = 3;
+       }},
+      {"bindings 1 and 3 use image 'array' in two ways at once and their mips and layers overlap",
+       [](Given& g) {
+         g.bindings[kLight][1] = Given::bind(1, TY_SOURCE_IMAGE, kArray, TY_ACCESS_STORAGE_READ_WRITE);
+         g.bindings[kLight][1].base_mip = 5;  // all mips from base_mip 0 are sampled
+       }},
+      {"two ways at once and their mips and layers overlap",
+       [](Given& g) {  // two stores to one layer
+         g.bindings[kLight][2] = Given::bind(2, TY_SOURCE_IMAGE, kArray, TY_ACCESS_STORAGE_WRITE);
+         g.bindings[kLight][3] = Given::bind(3, TY_SOURCE_IMAGE, kArray, TY_ACCESS_STORAGE_WRITE);
+         g.bindings[kLight][2].base_layer = g.bindings[kLight][3].base_layer = 1;
+       }},
+      {"two ways at once; read it one way",
+       [](Given& g) {
+         g.bindings[kLight][2] = Given::bind(2, TY_SOURCE_IMAGE, kArray, TY_ACCESS_STORAGE_READ);
+         g.bindings[kLight][2].base_mip = 1;
+         g.bindings[kLight][3].mip_count = 1;
+       }},
       {"two ways",
        [](Given& g) { g.bindings[kLight][3] = Given::bind(3, TY_SOURCE_IMAGE, kFlat, TY_ACCESS_STORAGE_WRITE); }},
       {"two ways",

@@ -3,6 +3,9 @@
 //   output.r = output.g + sum over lights of (radiance.r * weight + 1000 * shadow depth), summed by additive
 //   full-screen passes output.g = number of frames since the history was cleared output.b = what the indirect dispatch
 //   stored through mip 1 of layer 1 of an array image output.a = 0.5
+// Beside it a chain of mips, each pass sampling one mip and storing the next of the same image, that only the debug
+// view "chain" shows. "passes.skip" is a mask of what prepare() leaves out: 1 history, 2 the second light, 4 the
+// casters.
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -17,7 +20,7 @@ struct TyInstance {
   std::vector<std::vector<TyBinding>> bindings;
   std::vector<TyDebugView> views;
   TyTarget screen{}, lights{}, casterDepth{};
-  TySpecialization size{};
+  TySpecialization size{}, first{};
   TyCounters counters{};
   TyTunable tunable{};
   TyLayout layout{};
@@ -25,7 +28,7 @@ struct TyInstance {
 
 namespace {
 
-enum { kWeight, kVariant, kBreak, kParameters };
+enum { kWeight, kVariant, kBreak, kSkip, kParameters };
 const char* const kVariants[] = {"auto", "one", "two"};
 const char* const kBreaks[] = {"nothing", "shader", "binding", "pass", "huge", "null", "casters", "prepare"};
 const TyHost* g_host = nullptr;
@@ -47,7 +50,8 @@ TyParameter parameter(const char* id, std::uint32_t type, double def, double max
 const TyParameter kTable[kParameters] = {
     parameter("passes.weight", TY_PARAMETER_FLOAT, 1, 100, nullptr, 0, 0),
     parameter("passes.variant", TY_PARAMETER_ENUM, 0, 0, kVariants, 3, TY_PARAMETER_STRUCTURAL),
-    parameter("passes.break", TY_PARAMETER_ENUM, 0, 0, kBreaks, 8, TY_PARAMETER_STRUCTURAL)};
+    parameter("passes.break", TY_PARAMETER_ENUM, 0, 0, kBreaks, 8, TY_PARAMETER_STRUCTURAL),
+    parameter("passes.skip", TY_PARAMETER_INT, 0, 7, nullptr, 0, 0)};
 
 TyBinding bind(std::uint32_t at, std::uint32_t source, std::uint32_t index, std::uint32_t access) {
   TyBinding b{};
@@ -103,6 +107,7 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
   image(s, "frames", TY_FORMAT_R32_FLOAT, w, h, 1, 1, TY_RESOURCE_HISTORY);
   image(s, "layers", TY_FORMAT_R32_FLOAT, broken == 4 ? 16384u : 2 * w, broken == 4 ? 16384u : 2 * h,
         broken == 4 ? 2048u : 3u, 2, 0);
+  image(s, "chain", TY_FORMAT_R32_FLOAT, 32, 16, 1, 4, 0);
   s.buffers.push_back({sizeof(TyBuffer), 0, "arguments", 16});
   s.buffers.push_back({sizeof(TyBuffer), 0, "counted", 8});
   s.buffers.push_back({sizeof(TyBuffer), TY_RESOURCE_HISTORY, "kept", 16});
@@ -146,6 +151,16 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
         bind(2, TY_SOURCE_IMAGE, 2, TY_ACCESS_SAMPLED), bind(3, TY_SOURCE_IMAGE, 3, TY_ACCESS_SAMPLED)});
   s.passes.back().groups[0] = gx, s.passes.back().groups[1] = gy;
   if (broken == 3) s.passes.back().groups[2] = 0;
+  s.first = {0, 1};
+  for (std::uint32_t mip = 0; mip < 4; ++mip) {
+    TyBinding to = bind(0, TY_SOURCE_IMAGE, 4, TY_ACCESS_STORAGE_WRITE),
+              from = bind(1, TY_SOURCE_IMAGE, 2, TY_ACCESS_SAMPLED);
+    to.base_mip = mip;
+    if (mip > 0) from.index = 4, from.base_mip = mip - 1, from.mip_count = 1;
+    TyPass& chain = pass(s, TY_PASS_COMPUTE, mip ? "chain" : "chain start", "chain.comp", {to, from});
+    chain.groups[0] = 4, chain.groups[1] = 2;
+    chain.specialization_count = mip ? 0 : 1;
+  }
   if (broken == 6) {
     TyPass casters{};
     casters.struct_size = sizeof casters;
@@ -154,14 +169,15 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
     image(s, "caster depth", TY_FORMAT_D32_FLOAT, 16, 16, 1, 1, TY_RESOURCE_HISTORY);  // kept, so the pass has a reader
     casters.caster_uniform = 2;
     s.uniforms.push_back({sizeof(TyUniformBlock), 0, "casters", 64});
-    s.casterDepth = {sizeof(TyTarget), TY_SOURCE_IMAGE, 4, 0, 0, 0, 0, {}};
+    s.casterDepth = {sizeof(TyTarget), TY_SOURCE_IMAGE, 5, 0, 0, 0, 0, {}};
     s.bindings.push_back({});
     casters.depth_target = &s.casterDepth;
     s.passes.push_back(casters);
   }
   for (std::size_t i = 0; i < s.passes.size(); ++i) {
     s.passes[i].bindings = s.bindings[i].data();
-    if (s.passes[i].specialization_count) s.passes[i].specializations = &s.size;
+    if (s.passes[i].specialization_count)
+      s.passes[i].specializations = std::strcmp(s.passes[i].name, "chain start") == 0 ? &s.first : &s.size;
     if (s.passes[i].target_count) s.passes[i].targets = s.passes[i].per_light ? &s.lights : &s.screen;
   }
   static const char* const names[] = {"groups run", "twice that"};
@@ -172,6 +188,8 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
   s.views.push_back({sizeof(TyDebugView), TY_SOURCE_IMAGE, "sum", "All lights", 1, 0, 0, 0, 0, 1});
   s.views.push_back({sizeof(TyDebugView), TY_SOURCE_IMAGE, "part", "Mip 1 of layer 1", 3, 1, 1, 0, 0, 1});
   s.views.push_back({sizeof(TyDebugView), TY_SOURCE_SHADOW_MAP, "map of light 7", "", 7, 0, 0, 0, 0, 1});
+
+  s.views.push_back({sizeof(TyDebugView), TY_SOURCE_IMAGE, "chain", "Mip 3 of the chain", 4, 3, 0, 0, 0, 1});
 
   s.layout.struct_size = sizeof(TyLayout);
   s.layout.images = s.images.data(), s.layout.image_count = static_cast<std::uint32_t>(s.images.size());
@@ -184,8 +202,20 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
   return &s.layout;
 }
 
-bool prepare(TyInstance*, const TyFrame* frame, const TyUniformData* out) {
+void skip(const TyInstance& s, const TyFrame* frame, const TyUniformData* out) {
+  const auto mask = static_cast<std::uint32_t>(frame->values[kSkip]);
+  for (std::uint32_t p = 0; p < s.passes.size(); ++p) {
+    const TyPass& pass = s.passes[p];
+    std::uint8_t* flags = out->skip + std::size_t{p} * out->skip_stride;
+    if ((mask & 1) && std::strcmp(pass.name, "history") == 0) flags[0] = 1;
+    if ((mask & 2) && pass.per_light) flags[1] = 1;
+    if ((mask & 4) && pass.kind == TY_PASS_CASTERS) flags[0] = 1;
+  }
+}
+
+bool prepare(TyInstance* self, const TyFrame* frame, const TyUniformData* out) {
   if (frame->values[kBreak] == 7) return false;
+  skip(*self, frame, out);
   for (std::uint32_t i = 0; i < frame->light_count; ++i) {
     float block[8] = {frame->lights[i].radiance[0] * static_cast<float>(frame->values[kWeight]), 0, 0, 0, 0, 0, 0, 0};
     std::memcpy(out->data[0] + std::size_t{i} * out->stride[0], block, sizeof block);

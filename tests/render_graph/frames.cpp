@@ -61,7 +61,8 @@ namespace {
 constexpr Use kImageReads[] = {Use::kSampledCompute, Use::kSampledGraphics, Use::kStorageReadCompute, Use::kDepthRead,
                                Use::kTransferRead};
 constexpr Use kImageWrites[] = {Use::kStorageWriteCompute, Use::kColorWrite, Use::kDepthWrite, Use::kTransferWrite};
-constexpr Use kImageBoth[] = {Use::kStorageReadWriteCompute, Use::kColorReadWrite, Use::kDepthReadWrite};
+constexpr Use kImageBoth[] = {Use::kStorageReadWriteCompute, Use::kSampledStorageCompute, Use::kColorReadWrite,
+                              Use::kDepthReadWrite};
 constexpr Use kBufferReads[] = {Use::kSampledCompute, Use::kSampledGraphics, Use::kStorageReadCompute,
                                 Use::kTransferRead,   Use::kUniform,         Use::kIndirect};
 constexpr Use kBufferWrites[] = {Use::kStorageWriteCompute, Use::kTransferWrite};

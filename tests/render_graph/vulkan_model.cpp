@@ -60,6 +60,9 @@ Meaning meaningOf(Use use, bool isBuffer) {
     case Use::kStorageReadWriteCompute:
       m = {bit(sCompute), bit(aStorageRead), bit(aStorageWrite), VK_IMAGE_LAYOUT_GENERAL, true};
       break;
+    case Use::kSampledStorageCompute:
+      m = {bit(sCompute), bit(aSampled) | bit(aStorageRead), bit(aStorageWrite), VK_IMAGE_LAYOUT_GENERAL, true};
+      break;
     case Use::kColorWrite:
     case Use::kColorReadWrite:
       m = {bit(sColor),

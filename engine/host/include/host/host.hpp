@@ -78,7 +78,9 @@ class PluginEffect : public render::Effect {
   /// Call once per finished frame with its pass times: feeds the tuner of speed-only variants.
   void frameFinished(const std::vector<render::PassTime>& passes);
   std::vector<std::string> reloadShaders();
-  std::uint64_t memoryBytes() const;  ///< images and buffers of the current layout and the output, each on its own
+  /// What the passes of the last finished frame used: images, buffers, the output, each on its own. Those of passes
+  /// that the graph dropped (debug views that are not shown) do not count, history always does.
+  std::uint64_t memoryBytes() const;
   /// Why the plugin is off, if its layout was refused or could not be made (also logged, once). A changed setting or
   /// shader starts anew.
   const std::optional<Error>& failure() const;

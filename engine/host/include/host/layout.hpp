@@ -98,6 +98,7 @@ enum class PassAccess {
   kStorageRead,
   kStorageWrite,
   kStorageReadWrite,
+  kSampledStorage,  ///< images: sampled here, stored to there
   kColorWrite,
   kColorReadWrite,
   kDepthWrite,
@@ -108,7 +109,8 @@ struct PassUse {
   LayoutResource resource;
   PassAccess access;
 };
-/// An error if the pass uses a resource in two ways that exclude each other. Uniform blocks are left out.
+/// An error if the pass uses a resource in two ways that exclude each other: parts of an image that are written and
+/// parts of it that are used otherwise must not touch. Uniform blocks are left out.
 Result<std::vector<PassUse>> usesOf(const Layout& layout, const LayoutPass& pass);
 
 bool readsOld(PassAccess access);  ///< needs what earlier passes wrote

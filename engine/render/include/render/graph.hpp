@@ -38,11 +38,13 @@ enum class Use {
   kStorageReadCompute,
   kStorageWriteCompute,
   kStorageReadWriteCompute,
-  kColorWrite,      ///< colour attachment, cleared or fully overwritten
-  kColorReadWrite,  ///< colour attachment, loaded (blending over what is there)
-  kDepthWrite,      ///< depth attachment, cleared
-  kDepthReadWrite,  ///< depth attachment, loaded and written
-  kDepthRead,       ///< depth attachment, tested only
+  kSampledStorageCompute,  ///< images: some mips or layers read by texture (in GENERAL), others stored to or loaded
+                           ///< from
+  kColorWrite,             ///< colour attachment, cleared or fully overwritten
+  kColorReadWrite,         ///< colour attachment, loaded (blending over what is there)
+  kDepthWrite,             ///< depth attachment, cleared
+  kDepthReadWrite,         ///< depth attachment, loaded and written
+  kDepthRead,              ///< depth attachment, tested only
   kTransferRead,
   kTransferWrite,
   kUniform,
@@ -101,6 +103,9 @@ class Graph {
     Pass& use(ImageRef image, Use use);
     Pass& use(BufferRef buffer, Use use);
     Pass& keep();  ///< never dropped (side effects: readback)
+    /// Has nothing to do in this frame: run() is still called, but records no command. The pass keeps its place and its
+    /// uses, so that images get their layouts; it is neither timed nor listed by passes().
+    Pass& idle();
     void run(std::function<void(PassContext&)> record);
 
    private:
@@ -120,7 +125,7 @@ class Graph {
   /// called again (imports must then be back in their layoutBefore). With `timestamps`, times each (capacity must be at
   /// least the number of passes).
   void record(VkCommandBuffer commands, gpu::Timestamps* timestamps);
-  /// Names and owners of the passes that record() ran, in the order of Timestamps::milliseconds().
+  /// Names and owners of the passes that record() ran (idle ones left out), in the order of Timestamps::milliseconds().
   std::vector<PassTime> passes() const;
   GraphStatistics statistics() const;
   VkDeviceSize ownerBytes(std::string_view owner) const;  ///< memory of that owner's transients, unshared
@@ -170,9 +175,9 @@ class PassContext {
 };
 
 constexpr bool writes(Use use) {
-  return use == Use::kStorageWriteCompute || use == Use::kStorageReadWriteCompute || use == Use::kColorWrite ||
-         use == Use::kColorReadWrite || use == Use::kDepthWrite || use == Use::kDepthReadWrite ||
-         use == Use::kTransferWrite;
+  return use == Use::kStorageWriteCompute || use == Use::kStorageReadWriteCompute ||
+         use == Use::kSampledStorageCompute || use == Use::kColorWrite || use == Use::kColorReadWrite ||
+         use == Use::kDepthWrite || use == Use::kDepthReadWrite || use == Use::kTransferWrite;
 }
 
 }  // namespace tyndall::render
