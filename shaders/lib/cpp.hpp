@@ -27,18 +27,21 @@ namespace f32 {
 #include "lib/epipolar.glsl"
 #include "lib/moments.glsl"
 #include "lib/fourier.glsl"
+#include "lib/average.glsl"
 }  // namespace f32
 namespace f64 {
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
 #include "lib/moments.glsl"
 #include "lib/fourier.glsl"
+#include "lib/average.glsl"
 }  // namespace f64
 namespace f80 {
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
 #include "lib/moments.glsl"
 #include "lib/fourier.glsl"
+#include "lib/average.glsl"
 }  // namespace f80
 }  // namespace tyndall::lib
 

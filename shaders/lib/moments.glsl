@@ -73,6 +73,14 @@ LIB Real saturateFinite(Real x) { return x > R(0.0) ? min(x, R(1.0)) : R(0.0); }
 // A pivot of a positive definite matrix, kept off zero.
 LIB Real pivot(Real x) { return max(x, R(1e-14)); }
 
+// Roots of c0 + c1 z + c2 z^2, real ones expected, without cancellation: one as h / c2, the other as c0 / h, where h adds numbers of
+// the same sign. A root at infinity comes back as a large number.
+LIB Real2 quadraticRoots(Real c0, Real c1, Real c2) {
+  Real root = sqrt(max(c1 * c1 - R(4.0) * c0 * c2, R(0.0)));
+  Real h = R(-0.5) * (c1 < R(0.0) ? c1 - root : c1 + root);
+  return Real2(h / (abs(c2) < R(1e-20) ? R(1e-20) : c2), c0 / (abs(h) < R(1e-20) ? R(1e-20) : h));
+}
+
 // ------------------------------------------------------------------------------------------------------------ four moments
 
 // Visibility at zf from biased moments (algorithm 1 for m = 4). The three depths of the extremal distribution are zf and the roots
@@ -88,11 +96,9 @@ LIB Real visibility4(Real4 b, Real zf, Real beta) {
   Real q1 = y1 / d1 - l21 * q2;
   Real q0 = R(1.0) - b.x * q1 - b.y * q2;
   // Roots of q2 z^2 + q1 z + q0: real, since B is positive definite. q2 -> 0 sends one root to infinity, where its weight vanishes.
-  q2 = abs(q2) < R(1e-7) ? (q2 < R(0.0) ? R(-1e-7) : R(1e-7)) : q2;
-  Real p = R(-0.5) * q1 / q2;
-  Real r = sqrt(max(p * p - q0 / q2, R(0.0)));
-  Real z1 = p - r;
-  Real z2 = p + r;
+  Real2 z = quadraticRoots(q0, q1, q2);
+  Real z1 = z.x;
+  Real z2 = z.y;
   Real v1 = z1 < zf ? R(0.0) : R(1.0);
   Real v2 = z2 < zf ? R(0.0) : R(1.0);
   // Newton form on (zf, z1, z2), expectation through b1 and b2.
@@ -104,11 +110,39 @@ LIB Real visibility4(Real4 b, Real zf, Real beta) {
   return saturateFinite(beta + f01 * e1 + f012 * e2);
 }
 
+// ------------------------------------------------------------------------------------------------------- two depths of a sample
+
+// Algorithm 2 of Peters et al. 2017 (section 5.2): the distribution on two depths with moments b1, b2, b3 (b.w is not read), as
+// (z1, z2, w1, w2), z1 <= z2, w1 + w2 = 1: what filtered resampling makes of a sample of a moment shadow map. With variance v
+// and third central moment m about the mean b1, the depths are b1 + m / 2v -+ sqrt((m / 2v)^2 + v).
+// Robust for every finite input: b1 and the depths are clamped to [-1, 1], where valid moments put them anyway (b1 stays exact,
+// since the shares are computed from the clamped depths). A variance of 1e-6 or less gives the single depth b1 (the paper: 0
+// or less): rounding b1 and b2 to float moves their difference by up to 2.4e-7, and m / 2v would be noise. Two depths of equal share
+// are told apart from a distance of 0.002 on, a thousandth of the range.
+LIB Real4 twoDepths(Real4 b) {
+  Real mean = clamp(b.x, R(-1.0), R(1.0));
+  Real variance = b.y - mean * mean;
+  if (!(variance > R(1e-6))) {
+    return Real4(mean, mean, R(1.0), R(0.0));
+  }
+  Real skew = R(0.5) * ((b.z - mean * b.y) / variance - R(2.0) * mean);
+  // Offsets from the mean: the product of the two is -variance, so the smaller one needs no difference.
+  Real far = abs(skew) + sqrt(skew * skew + variance);
+  Real near = variance / far;
+  Real below = min(skew < R(0.0) ? far : near, mean + R(1.0));
+  Real above = min(skew < R(0.0) ? near : far, R(1.0) - mean);
+  Real w2 = below > R(0.0) ? below / (below + above) : R(0.0);
+  return Real4(mean - below, mean + above, R(1.0) - w2, w2);
+}
+
 // ------------------------------------------------------------------------------------------------------------- six moments
 
-// Roots of c.x + c.y z + c.z z^2 + c.w z^3, all real (three distinct roots for a positive definite Hankel matrix): the
-// trigonometric form in Blinn's homogeneous coefficients (Blinn 2007, "How to Solve a Cubic Equation, Part 5"), one branch for
-// all three roots as Peters et al. 2017, section 5.4.1 found sufficient.
+// Roots of c.x + c.y z + c.z z^2 + c.w z^3, all real (three distinct roots for a positive definite Hankel matrix). The root of
+// largest magnitude comes from the trigonometric form in Blinn's homogeneous coefficients (Blinn 2007, "How to Solve a Cubic
+// Equation, Part 5"), where it is a sum of numbers of one sign; dividing it out leaves a quadratic for the other two.
+// Deviation: Peters et al. 2017, section 5.4.1 take all three from the trigonometric form. Then a far root (c.w small: the ray's
+// depth lies on a blocker's) leaves the near ones an absolute error of 1e-7 of the far one's size, which in float broke the
+// bounds by up to 0.4 (docs/results/stress.md).
 LIB Real3 cubicRoots(Real4 c) {
   Real lead = max(max(abs(c.x), abs(c.y)), abs(c.z)) * R(1e-7);
   lead = max(lead, R(1e-30));
@@ -123,9 +157,18 @@ LIB Real3 cubicRoots(Real4 c) {
   Real discriminant = max(R(4.0) * p * (B * D - C * C) - d2 * d2, R(0.0));
   Real angle = atan(sqrt(discriminant), -q) / R(3.0);
   Real amplitude = R(2.0) * sqrt(max(-p, R(0.0)));
-  Real cosA = cos(angle);
-  Real sinA = sin(angle) * R(0.8660254037844386);
-  return Real3(amplitude * cosA - B, amplitude * (R(-0.5) * cosA - sinA) - B, amplitude * (R(-0.5) * cosA + sinA) - B);
+  // The sum of -B and the term of its sign; the factor of the amplitude has a magnitude of at least 1/2 either way.
+  Real largest = amplitude * (B < R(0.0) ? cos(angle) : R(-0.5) * cos(angle) - R(0.8660254037844386) * sin(angle)) - B;
+  Real u = R(1.0) / (abs(largest) < R(1e-12) ? R(1e-12) : largest);
+  // One Newton step on 1/z: Vulkan lets sine and cosine err by 2^-11 and atan by 4096 ulp, which alone breaks the bounds by 0.2.
+  Real value = ((c.x * u + c.y) * u + c.z) * u + c.w;
+  Real slope = (R(3.0) * c.x * u + R(2.0) * c.y) * u + c.z;
+  u -= abs(value) < abs(slope * u) ? value / slope : R(0.0);
+  largest = R(1.0) / (abs(u) < R(1e-12) ? R(1e-12) : u);
+  // c = (1 - u z) (c.x + c1 z + c2 z^2), from the constant term upwards, which is stable for the largest root.
+  Real c1 = c.y + c.x * u;
+  Real2 others = quadraticRoots(c.x, c1, c.z + c1 * u);
+  return Real3(largest, others.x, others.y);
 }
 
 // Visibility at zf from biased moments (algorithm 1 for m = 6; sections 5.4.1 and 5.4.2).
