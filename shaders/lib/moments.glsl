@@ -115,8 +115,8 @@ LIB Real visibility4(Real4 b, Real zf, Real beta) {
 // Algorithm 2 of Peters et al. 2017 (section 5.2): the distribution on two depths with moments b1, b2, b3 (b.w is not read), as
 // (z1, z2, w1, w2), z1 <= z2, w1 + w2 = 1: what filtered resampling makes of a sample of a moment shadow map. With variance v
 // and third central moment m about the mean b1, the depths are b1 + m / 2v -+ sqrt((m / 2v)^2 + v).
-// Robust for every finite input: b1 and the depths are clamped to [-1, 1], where valid moments put them anyway (b1 stays exact,
-// since the shares are computed from the clamped depths). A variance of 1e-6 or less gives the single depth b1 (the paper: 0
+// Robust for every finite input: b1 and the depths are clamped to [-1, 1], where valid moments put them anyway; b1 stays exact,
+// since the shares are computed from the clamped depths. A variance of 1e-6 or less gives the single depth b1 (the paper: 0
 // or less): rounding b1 and b2 to float moves their difference by up to 2.4e-7, and m / 2v would be noise. Two depths of equal share
 // are told apart from a distance of 0.002 on, a thousandth of the range.
 LIB Real4 twoDepths(Real4 b) {
@@ -126,11 +126,15 @@ LIB Real4 twoDepths(Real4 b) {
     return Real4(mean, mean, R(1.0), R(0.0));
   }
   Real skew = R(0.5) * ((b.z - mean * b.y) / variance - R(2.0) * mean);
-  // Offsets from the mean: the product of the two is -variance, so the smaller one needs no difference.
-  Real far = abs(skew) + sqrt(skew * skew + variance);
-  Real near = variance / far;
-  Real below = min(skew < R(0.0) ? far : near, mean + R(1.0));
-  Real above = min(skew < R(0.0) ? near : far, R(1.0) - mean);
+  // Offsets from the mean, on the skew's side (`far`) and on the other. Their product is the variance, also after a clamp of either,
+  // so that b2 is kept where rounding made b3 impossible.
+  Real farRoom = skew < R(0.0) ? mean + R(1.0) : R(1.0) - mean;
+  Real nearRoom = skew < R(0.0) ? R(1.0) - mean : mean + R(1.0);
+  Real far = min(abs(skew) + sqrt(skew * skew + variance), farRoom);
+  Real near = min(variance / far, nearRoom);
+  far = min(variance / near, farRoom);
+  Real below = skew < R(0.0) ? far : near;
+  Real above = skew < R(0.0) ? near : far;
   Real w2 = below > R(0.0) ? below / (below + above) : R(0.0);
   return Real4(mean - below, mean + above, R(1.0) - w2, w2);
 }
