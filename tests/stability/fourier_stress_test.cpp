@@ -74,6 +74,8 @@ struct Precisions {
   int bits;  ///< 0: float
 };
 
+void PrintTo(const Precisions& precisions, std::ostream* out) { *out << precisions.name; }
+
 class FourierStress : public testing::TestWithParam<Precisions> {};
 
 TEST_P(FourierStress, AgreesWithDirectSumsAndTheSeriesBound) {

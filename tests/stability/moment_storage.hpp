@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cmath>
-#include <string>
+#include <ostream>
 
 #include "lib/cpp.hpp"
 #include "techniques/moments/storage.hpp"
@@ -20,6 +20,8 @@ struct Format {
   Precision precision;
   double paper;
 };
+/// How GoogleTest names it.
+inline void PrintTo(const Format& format, std::ostream* out) { *out << format.name; }
 inline constexpr std::array kFormats = {
     Format{"4x16 bit", 4, Precision::kCompact, 6e-5}, Format{"4x32 float", 4, Precision::kFull, 3e-7},
     Format{"6x10 bit", 6, Precision::kCompact, 4e-3}, Format{"6x16 bit", 6, Precision::kStandard, 8e-5},

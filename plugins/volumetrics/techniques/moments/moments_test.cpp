@@ -136,6 +136,23 @@ TEST(Moments, CubicRootsAreRoots) {
   }
 }
 
+// A far root must not cost the near ones their digits, in float: that broke the bounds where a ray's depth lies on a blocker's.
+TEST(Moments, CubicRootsSurviveAFarRoot) {
+  Random random{6};
+  for (int i = 0; i < 100000; ++i) {
+    const double low = -1 + 0.9 * random.next(), high = 0.1 + 0.9 * random.next();
+    const double far = std::pow(10.0, 1 + 5 * random.next()) * (random.next() < 0.5 ? -1 : 1);
+    // (z - low)(z - high)(1 - z / far)
+    const glm::vec4 c(low * high, -low - high - low * high / far, 1 + (low + high) / far, -1 / far);
+    const glm::vec3 roots = f32::cubicRoots(c);
+    std::array<float, 3> found{roots.x, roots.y, roots.z};
+    std::sort(found.begin(), found.end(), [](float a, float b) { return std::abs(a) < std::abs(b); });
+    ASSERT_NEAR(std::min(found[0], found[1]), low, 2e-6) << far;
+    ASSERT_NEAR(std::max(found[0], found[1]), high, 2e-6) << far;
+    ASSERT_NEAR(found[2] / far, 1, 1e-5);
+  }
+}
+
 // Lower <= truth <= upper, in double with a bias just above rounding. The bias moves the bounds by at most about itself times
 // the condition of the problem: 1e-9 bias, 1e-4 allowed; a wrong formula misses by tenths.
 TEST(Moments, BoundsHoldInDouble) {
@@ -181,16 +198,15 @@ TEST(Moments, SixBoundAtLeastAsTightlyAsFour) {
   EXPECT_LT(sum6, 0.9 * sum4);
 }
 
-// At every precision, through storage and with the published biases, float results are finite, in [0, 1], and violate the
-// bounds by no more than the bias explains (compact: 0.003 seen, a bias of 0.004).
+// At every precision, through storage and with the biases of storage.hpp, float results are finite, in [0, 1], and violate the bounds
+// by no more than the bias explains, which mixes that much of another distribution in, and 1e-4 (tests/stability has the harder cases).
 TEST(Moments, FloatIsSafeAtEveryPrecision) {
   struct Row {
     int moments;
     Precision precision;
-    double allowed;
   };
-  for (const Row row : {Row{4, Precision::kCompact, 1e-3}, Row{4, Precision::kFull, 1e-3}, Row{6, Precision::kCompact, 0.01},
-                        Row{6, Precision::kStandard, 1e-3}, Row{6, Precision::kFull, 1e-3}}) {
+  for (const Row row : {Row{4, Precision::kCompact}, Row{4, Precision::kFull}, Row{6, Precision::kCompact},
+                        Row{6, Precision::kStandard}, Row{6, Precision::kFull}}) {
     const MomentStorage s = momentStorage(row.moments, row.precision);
     Random random{5};
     double worst = 0;
@@ -207,7 +223,7 @@ TEST(Moments, FloatIsSafeAtEveryPrecision) {
       }
       worst = std::max({worst, bound[0] - c.highTruth, c.lowTruth - bound[1]});
     }
-    EXPECT_LT(worst, row.allowed) << row.moments << " moments, precision " << static_cast<int>(row.precision);
+    EXPECT_LT(worst, static_cast<double>(s.bias) + 1e-4) << row.moments << " moments, precision " << static_cast<int>(row.precision);
     std::printf("moments %d, precision %d: worst bound violation %.4f over %d cases\n", row.moments,
                 static_cast<int>(row.precision), worst, caseCount() / 2);
   }

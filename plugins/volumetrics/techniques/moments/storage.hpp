@@ -18,14 +18,15 @@ struct MomentStorage {
   float evenTarget;        ///< bias vector of four moments: (0, x, 0, x)
 };
 
-/// `moments` is 4 or 6. Deviation: four moments in 32-bit float use 2e-6 where the paper found 3e-7 sufficient. With 3e-7 the stress
-/// test (moments_test.cpp) violates the bounds by up to 0.68 where the ray's depth lies on a blocker's; from 1e-6 on it does
-/// not, and the running averages of the prefix add as much rounding again.
+/// `moments` is 4 or 6. The biases are those of the paper, each at most 1.5 times the smallest that the stress test finds safe
+/// (docs/results/stress.md). Deviation: four moments in 32-bit float use 1e-6, not 3e-7. With 3e-7 rounding the moments to float
+/// alone breaks the bounds by up to 0.4 where blockers lie close together; from 6e-7 on it does not, and a device's arithmetic and
+/// filter get the rest.
 constexpr MomentStorage momentStorage(int moments, Precision precision) {
   if (moments == 4) {
     if (precision == Precision::kCompact)
       return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_UNKNOWN, DepthBits::k16, true, false, 6e-5f, 0.628f};
-    return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_UNKNOWN, DepthBits::k32, false, false, 2e-6f, 0.375f};
+    return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_UNKNOWN, DepthBits::k32, false, false, 1e-6f, 0.375f};
   }
   switch (precision) {
     case Precision::kCompact:
