@@ -9,9 +9,7 @@ namespace {
 
 /// A span nearer to 180 degrees than this leaves no frustum worth the name: its sides are 57 times as far as its middle.
 constexpr double kLargestSpan = std::numbers::pi * 178 / 180;
-/// Splits grow half geometrically, half evenly (Zhang et al. 2006, "Parallel-split shadow maps", lambda = 1/2).
-constexpr double kGeometricShare = 0.5;
-/// auto: longest last column in even columns.
+/// auto: longest column in even columns.
 constexpr double kLongestColumn = 4;
 
 /// Direction in the middle of the two projected corners that span the largest angle; none if that is too large.
@@ -29,6 +27,28 @@ std::optional<glm::dvec2> bisectrix(const std::array<glm::dvec2, 4>& corners) {
     }
   if (largest > kLargestSpan) return std::nullopt;
   return glm::normalize(middle);
+}
+
+/// Border of the split that starts at `start` if its last column is to be `length` / columns long: b (b - a) / a = length, since columns are
+/// uniform in 1/x.
+double splitEnd(double start, double length) { return 0.5 * (start + std::sqrt(start * start + 4 * length * start)); }
+
+/// Borders of splits whose last columns are all of one length, the shortest possible: the first splits grow fastest.
+std::array<double, kMaxSplits + 1> splitBorders(double first, double last, std::uint32_t splits) {
+  std::array<double, kMaxSplits + 1> borders{first};
+  const auto reach = [&](double length) {
+    double border = first;
+    for (std::uint32_t i = 0; i < splits; ++i) borders[i + 1] = border = splitEnd(border, length);
+    return border;
+  };
+  double low = 0, high = last * (last - first) / first;  // a single split needs the latter
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (reach(middle) < last ? low : high) = middle;
+  }
+  reach(high);
+  borders[splits] = last;
+  return borders;
 }
 
 /// Clip coordinates as functions of (x, y, height) along (e1, e2, towards) from the eye, all linear, then of world positions.
@@ -105,20 +125,18 @@ std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uin
     last = first = nearest;
   }
   block.splits = splits;
-  std::array<double, kMaxSplits + 1> inverse{};
-  for (std::uint32_t i = 0; i <= splits; ++i) {
-    const double share = static_cast<double>(i) / splits;
-    inverse[i] = 1 / (kGeometricShare * first * std::pow(last / first, share) + (1 - kGeometricShare) * (first + (last - first) * share));
-    block.inverse[i] = static_cast<float>(inverse[i]);
-  }
-  if (block.polygonCount == 0) return frame;
-  for (std::uint32_t i = 0; i < splits; ++i) frame.clipFromWorld[i] = clipMatrix(input, block, inverse[i], inverse[i + 1]);
-  const double step = (inverse[splits - 1] - inverse[splits]) / input.columns;
-  frame.lastColumn = last - 1 / (inverse[splits] + step);
   frame.evenColumn = (last - first) / input.columns;
+  const auto borders = splitBorders(first, last, splits);
+  for (std::uint32_t i = 0; i <= splits; ++i) block.inverse[i] = static_cast<float>(1 / borders[i]);
+  if (block.polygonCount == 0) return frame;
+  for (std::uint32_t i = 0; i < splits; ++i) {
+    const double near = 1 / borders[i], far = 1 / borders[i + 1];
+    frame.clipFromWorld[i] = clipMatrix(input, block, near, far);
+    frame.longestColumn = std::max(frame.longestColumn, borders[i + 1] - 1 / (far + (near - far) / input.columns));
+  }
   return frame;
 }
 
-bool columnsAreEvenEnough(const LinearFrame& frame) { return frame.lastColumn <= kLongestColumn * frame.evenColumn; }
+bool columnsAreEvenEnough(const LinearFrame& frame) { return frame.longestColumn <= kLongestColumn * frame.evenColumn; }
 
 }  // namespace volumetrics

@@ -13,15 +13,16 @@ struct LinearFrame {
   RectificationBlock block;
   /// Of each split: x runs over slices, y over the split's columns, z is the normalised depth, w the distance along e1.
   std::array<glm::mat4, kMaxSplits> clipFromWorld{};
-  /// Length along e1 of the last column, and of a column if all were equal, m (0: nothing can be blocked).
-  double lastColumn = 0, evenColumn = 0;
+  /// Length along e1 of the longest column, the last of each split, and of one if a single map's columns were all equal, m (0: nothing
+  /// can be blocked).
+  double longestColumn = 0, evenColumn = 0;
 };
 
 /// None where no projective map exists: the light or its antipode is in view, or the view spans (nearly) 180 degrees seen along the
-/// light. `splits` is 1...4.
+/// light. `splits` is 1...4; their borders make the last columns of all as short as they can be.
 std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uint32_t splits);
 
-/// The rule of rectification=auto: the last column is no longer than four epipolar ones.
+/// The rule of rectification=auto: the last column of no split is longer than four epipolar ones.
 bool columnsAreEvenEnough(const LinearFrame& frame);
 
 }  // namespace volumetrics

@@ -11,7 +11,6 @@
 #include "lib/moments.glsl"
 #include "stages/rectified.h"
 
-vec4 twoDepths(vec4 b) { return vec4(b.x, b.x, 1.0, 0.0); } // REPLACE
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool kFiltered = false;
 layout(constant_id = 1) const bool kQuantisedMoments = true;  // of the moment shadow map
