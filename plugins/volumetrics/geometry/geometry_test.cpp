@@ -1,5 +1,6 @@
 // The epipolar frame against brute force: every view ray and every light ray that matters lies inside the bounds.
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <random>
 
@@ -220,7 +221,7 @@ TEST(LinearFrame, ViewRaysAreRowsOfConstantDepth) {
         ASSERT_GT(clip.w, 0) << seed;
         // Float matrices far from the origin: the tolerance follows the size of what is subtracted.
         const double tolerance = 2e-3 + 2e-5 * (glm::length(world) + 60) / clip.w;
-        EXPECT_NEAR(clip.x / clip.w, 2 * row - 1, tolerance * (1 + 2 / (block.sliceStep * block.slices))) << seed;
+        EXPECT_NEAR(clip.x / clip.w, 2 * row - 1, tolerance * (1 + 2 / (static_cast<double>(block.sliceStep) * block.slices))) << seed;
         EXPECT_NEAR(clip.z / clip.w, depth, tolerance * (1 + block.depthScale)) << seed;
         if (frame->block.inverse[split] < 2 * frame->block.inverse[split + 1]) continue;  // a thin split: ill-conditioned in float
         EXPECT_NEAR(clip.y / clip.w, 2 * share - 1, 10 * tolerance) << seed;
@@ -236,6 +237,26 @@ TEST(LinearFrame, ViewRaysAreRowsOfConstantDepth) {
   }
   EXPECT_GT(made, 60);
   EXPECT_GT(none, 60);  // every fifth scenario looks into or away from the light
+}
+
+// Why column edges come from the matrix: Klehm et al. 2014, equation 12 lets columns grow by one factor, taken from the first three
+// texel centres. They are uniform in 1/x, so the factor rises along the row, and the columns of that equation end far before the row.
+TEST(LinearFrame, AConstantGrowthFactorFallsShort) {
+  const double near = 0.1, far = 90;
+  const int columns = 1024;
+  const auto edge = [&](double i) { return 1 / (1 / near - i / columns * (1 / near - 1 / far)); };
+  const double growth = (edge(2.5) - edge(1.5)) / (edge(1.5) - edge(0.5));
+  const double first = edge(1) - edge(0);
+  const double reach = near + first * (std::pow(growth, columns) - 1) / (growth - 1);
+  std::printf("equation 12: columns from %.1f m reach %.2f m instead of %.0f m\n", near, reach, far);
+  EXPECT_NEAR(edge(columns), far, 1e-9);
+  EXPECT_LT(reach, 1.0);
+  // Where far is twice near it is a fair approximation.
+  const auto mild = [&](double i) { return 1 / (1 - i / columns * 0.5); };
+  const double d = (mild(2.5) - mild(1.5)) / (mild(1.5) - mild(0.5));
+  const double mildReach = 1 + (mild(1) - mild(0)) * (std::pow(d, columns) - 1) / (d - 1);
+  EXPECT_GT(mildReach, 1.8);
+  EXPECT_LT(mildReach, 2.0);
 }
 
 TEST(Convex, IntersectionMatchesPointSampling) {

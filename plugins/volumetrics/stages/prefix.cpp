@@ -66,7 +66,7 @@ void addPrefix(const LayoutContext& context, LayoutBuilder& builder, const Recti
   for (std::size_t i = 0; i < technique.images.size(); ++i)
     prefix.bindings.push_back(storageAt(6 + static_cast<std::uint32_t>(i), technique.images[i]));
   for (const auto& [id, value] : {std::pair{1u, rays}, {3u, bounded}, {7u, scan ? 1u : 0u}, {8u, stage.filtered ? 1u : 0u},
-                                  {9u, scan ? across * runs : 1u}, {10u, across}, {11u, runs}})
+                                  {9u, scan ? across * runs : 1u}, {10u, across}, {11u, runs}, {12u, technique.compensated ? 1u : 0u}})
     prefix.specializations.push_back({id, value});
   builder.compute(std::move(prefix));
   if (mipmapped(settings))

@@ -12,6 +12,7 @@ layout(constant_id = 3) const bool kBounds = true;
 layout(constant_id = 7) const bool kScan = false;
 layout(constant_id = 8) const bool kFiltered = false;
 layout(constant_id = 9) const int kLanes = 1;  // invocations that share memory: scan only
+layout(constant_id = 12) const bool kCompensated = false;  // averages keep what rounding drops (lib/average.glsl)
 layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
 layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
 layout(binding = 2, scalar) readonly buffer Slices { Slice slices[]; };
@@ -19,6 +20,7 @@ layout(binding = 3) uniform sampler2DArray rectified;   // resampled
 layout(binding = 4) uniform sampler2DArray projective;  // rasterised: one layer a split
 layout(binding = 5) uniform writeonly image2D bounds;
 
+#include "lib/average.glsl"
 #include "stages/rows.glsl"
 #include "stages/texel_depths.glsl"
 
@@ -27,6 +29,7 @@ void storePrefix(ivec2 at, int k, int group, vec4 v[kVectors]);
 
 const int kWeightsTransmittance = 1;
 const int kValues = kReferenceRays * kVectors;
+const int kRests = kCompensated ? kValues : 1;
 
 shared vec4 sums[kLanes * kValues];  // [lane][k][vector]
 shared float totals[kLanes * kReferenceRays];
@@ -138,6 +141,8 @@ void main() {
   }
 
   // Averages instead of sums: rounding stays relative to the values, and low precision stores them (Klehm, listings 1 and 2).
+  vec4 rest[kRests];
+  for (int i = 0; i < kRests; ++i) rest[i] = vec4(0.0);
   float last = own;
   for (uint column = from; column < to; ++column) {
     ivec2 at = ivec2(slice, column);
@@ -156,8 +161,14 @@ void main() {
       float share = total[k] > 0.0 ? weight / total[k] : 1.0;
       vec4 average[kVectors];
       for (int i = 0; i < kVectors; ++i) {
-        value[k * kVectors + i] += (basis[i] - value[k * kVectors + i]) * share;
-        average[i] = value[k * kVectors + i];
+        int j = k * kVectors + i;
+        vec4 move = (basis[i] - value[j]) * share;
+        if (kCompensated) {
+          move += rest[j];
+          rest[j] = lostInSum(value[j], move);
+        }
+        value[j] += move;
+        average[i] = value[j];
       }
       if (mine) storePrefix(at, k, group, average);
     }

@@ -14,6 +14,7 @@ struct PrefixTechnique {
   const char* evaluateShader;
   std::uint32_t vectors = 1;     ///< vectors of four that one invocation averages
   std::uint32_t groups = 1;      ///< groups of basis functions, each averaged by its own invocations
+  bool compensated = false;      ///< averages keep what rounding to float drops: for storage finer than their drift
   std::vector<TySpecialization> prefixConstants, evaluateConstants;  ///< ids 0, 2 and 4
   std::vector<std::uint32_t> images;         ///< written at bindings 6, 7, ... of the prefix; read at 7, 8, ... of the evaluation
   std::vector<TyBinding> extra;              ///< further bindings of the prefix

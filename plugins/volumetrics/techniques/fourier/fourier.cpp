@@ -39,6 +39,7 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
   PrefixTechnique technique{"fourier_prefix.comp", "fourier_evaluate.comp"};
   technique.vectors = vectors;
   technique.groups = (layers + vectors - 1) / vectors;
+  technique.compensated = format == TY_FORMAT_RGBA16_UNORM;
   technique.prefixConstants = {{0, vectors}, {2, layers}, {4, separate ? 1u : 0u}};
   technique.evaluateConstants = {{2, layers}};
   technique.images = {prefixImage(context, builder, stage, "prefix", format, layers * rays)};

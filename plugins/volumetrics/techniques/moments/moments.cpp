@@ -38,6 +38,7 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
   const auto rays = static_cast<std::uint32_t>(settings.reference_rays);
   PrefixTechnique technique{"moments_prefix.comp", "moments_evaluate.comp"};
   technique.vectors = kMoments == 4 ? 1 : 2;
+  technique.compensated = storage.compensated;
   technique.prefixConstants = {{0, kMoments}, {2, storage.quantise ? 1u : 0u}, {4, storage.threeAndThree ? 1u : 0u}};
   technique.evaluateConstants = technique.prefixConstants;
   technique.images = {prefixImage(context, builder, stage, "moments_a", storage.first, rays),

@@ -16,6 +16,7 @@ struct MomentStorage {
   bool threeAndThree;      ///< odd moments in `first`, even ones in `second`
   float bias;              ///< moment bias alpha_b
   float evenTarget;        ///< bias vector of four moments: (0, x, 0, x)
+  bool compensated;        ///< averaged by lib/average.glsl: the drift of plain averages would outweigh the bias
 };
 
 /// `moments` is 4 or 6. The biases are those of the paper, each at most 1.5 times the smallest that the stress test finds safe
@@ -25,17 +26,17 @@ struct MomentStorage {
 constexpr MomentStorage momentStorage(int moments, Precision precision) {
   if (moments == 4) {
     if (precision == Precision::kCompact)
-      return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_UNKNOWN, DepthBits::k16, true, false, 6e-5f, 0.628f};
-    return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_UNKNOWN, DepthBits::k32, false, false, 1e-6f, 0.375f};
+      return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_UNKNOWN, DepthBits::k16, true, false, 6e-5f, 0.628f, true};
+    return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_UNKNOWN, DepthBits::k32, false, false, 1e-6f, 0.375f, true};
   }
   switch (precision) {
     case Precision::kCompact:
-      return {TY_FORMAT_A2B10G10R10_UNORM, TY_FORMAT_A2B10G10R10_UNORM, DepthBits::k16, true, true, 4e-3f, 0};
+      return {TY_FORMAT_A2B10G10R10_UNORM, TY_FORMAT_A2B10G10R10_UNORM, DepthBits::k16, true, true, 4e-3f, 0, false};
     case Precision::kStandard:
-      return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_RG16_UNORM, DepthBits::k16, true, false, 8e-5f, 0};
+      return {TY_FORMAT_RGBA16_UNORM, TY_FORMAT_RG16_UNORM, DepthBits::k16, true, false, 8e-5f, 0, true};
     case Precision::kFull: break;
   }
-  return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_RG32_FLOAT, DepthBits::k32, false, false, 5e-6f, 0};
+  return {TY_FORMAT_RGBA32_FLOAT, TY_FORMAT_RG32_FLOAT, DepthBits::k32, false, false, 5e-6f, 0, true};
 }
 
 }  // namespace volumetrics

@@ -1,0 +1,86 @@
+// What single parameters must do to the picture, as physics or their definition has it.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "laboratory.hpp"
+
+namespace tyndall::figures {
+namespace {
+
+const Settings kSmall = {"shadows.resolution=512", "volumetrics.columns=256", "volumetrics.slices=256", "volumetrics.prefix_scheme=row"};
+
+// Sharp bounds: whatever the true visibility, lower <= half <= upper at every pixel, and half is the middle. Exact for K = 1; interpolation
+// between several reference rays has negative weights, hence one.
+TEST(Effects, OverestimationIsMonotonicAtEveryPixel) {
+  Laboratory lab("hall", 0, 160, 90);
+  for (const char* technique : {"moments4", "moments6"}) {
+    const Settings base = kSmall + Settings{"volumetrics.technique=" + std::string(technique), "volumetrics.reference_rays=1"};
+    const auto shot = [&](const char* value) { return lab.shoot(base + Settings{"volumetrics.overestimation=" + std::string(value)}).scatter; };
+    const image::FloatImage lower = shot("lower"), half = shot("half"), upper = shot("upper"), adaptive = shot("adaptive");
+    double widest = 0;
+    for (std::size_t i = 0; i < lower.values.size(); ++i) {
+      const float slack = 1e-4f * (1 + upper.values[i]);
+      ASSERT_LE(lower.values[i], half.values[i] + slack) << technique << ' ' << i;
+      ASSERT_LE(half.values[i], upper.values[i] + slack) << technique << ' ' << i;
+      ASSERT_LE(lower.values[i], adaptive.values[i] + slack) << technique << ' ' << i;
+      ASSERT_LE(adaptive.values[i], upper.values[i] + slack) << technique << ' ' << i;
+      ASSERT_NEAR(half.values[i], (lower.values[i] + upper.values[i]) / 2, 5 * slack) << technique << ' ' << i;
+      widest = std::max(widest, static_cast<double>(upper.values[i] - lower.values[i]));
+    }
+    EXPECT_GT(widest, 0.05) << technique;
+  }
+}
+
+// The block changes pixels inside it only, and there it is the dense march.
+TEST(Effects, TheEpipoleBlockIsMarchedAndNothingElse) {
+  Laboratory lab("hall", 1, 160, 90);
+  const Settings base = kSmall + Settings{"volumetrics.technique=moments6"};
+  const image::FloatImage without = lab.shoot(base + Settings{"volumetrics.epipole_block=0"}).scatter;
+  const image::FloatImage with = lab.shoot(base + Settings{"volumetrics.epipole_block=12"}).scatter;
+  const image::FloatImage march = lab.shoot(kSmall + Settings{"volumetrics.technique=ray_march", "volumetrics.steps=4096"}).scatter;
+  std::uint32_t x0 = 160, x1 = 0, y0 = 90, y1 = 0, changed = 0;
+  for (std::uint32_t y = 0; y < 90; ++y)
+    for (std::uint32_t x = 0; x < 160; ++x) {
+      if (with.at(x, y, 1) == without.at(x, y, 1)) continue;
+      ++changed;
+      x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
+      EXPECT_NEAR(with.at(x, y, 1), march.at(x, y, 1), 0.02 * (march.at(x, y, 1) + 0.1)) << x << ' ' << y;
+    }
+  EXPECT_GT(changed, 200u);
+  EXPECT_LE(x1 - x0, 24u);
+  EXPECT_LE(y1 - y0, 24u);
+}
+
+// Exact on its map: walking the tree must give what all columns of the row give, one by one (the view that the reference rays' error is
+// measured against uses the nearest row and no tree).
+TEST(Effects, MoreColumnsAndSlicesBringMinMaxToTheMarch) {
+  Laboratory lab("hall", 0, 160, 90);
+  const Settings common = {"shadows.resolution=2048"};
+  const image::FloatImage march = lab.shoot(common + Settings{"volumetrics.technique=ray_march", "volumetrics.steps=4096"}).scatter;
+  double last = 1e9;
+  for (const char* size : {"128", "512", "2048"}) {
+    const double error = errorOf(lab.shoot(common + Settings{"volumetrics.technique=min_max", "volumetrics.columns=" + std::string(size),
+                                                             "volumetrics.slices=" + std::string(size)}).scatter, march).nRmse;
+    std::printf("min_max %s^2 against the march: %.4f\n", size, error);
+    EXPECT_LT(error, 0.7 * last) << size;
+    last = error;
+  }
+  EXPECT_LT(last, 0.03);
+}
+
+// Shorter segments are joined with the ray's own weights: with one reference ray, more regions must bring the error of the weights down.
+TEST(Effects, RegionsTakeAwayTheErrorOfASingleReferenceRay) {
+  Laboratory lab("hall", 0, 160, 90);
+  const Settings base = kSmall + Settings{"volumetrics.technique=fourier", "volumetrics.basis_count=128", "volumetrics.reference_rays=1",
+                                          "volumetrics.precision=full", "medium.sigma_t=0.1"};
+  const image::FloatImage exact = lab.shoot(kSmall + Settings{"volumetrics.technique=min_max", "medium.sigma_t=0.1"}).scatter;
+  const auto error = [&](const char* regions) { return errorOf(lab.shoot(base + Settings{"volumetrics.regions=" + std::string(regions)}).scatter, exact).nRmse; };
+  const double one = error("1"), eight = error("8");
+  std::printf("fourier 128, K = 1, against min_max on the same map: 1 region %.4f, 8 regions %.4f\n", one, eight);
+  EXPECT_LT(eight, 0.6 * one);
+}
+
+}  // namespace
+}  // namespace tyndall::figures

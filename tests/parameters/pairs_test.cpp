@@ -1,0 +1,126 @@
+// Each parameter against its neighbour value: it changes the picture if the technique says that it reads it for the picture, leaves it
+// if it is about speed only, and leaves it to the bit if the technique does not read it.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "laboratory.hpp"
+
+namespace tyndall::figures {
+namespace {
+
+const Settings kSmall = {"shadows.resolution=512", "volumetrics.columns=128", "volumetrics.slices=128", "volumetrics.prefix_scheme=row"};
+
+enum class Change {
+  kPicture,  ///< nRMSE above 2e-4
+  kSpeed,    ///< nRMSE below 4e-3: rounding to 8 bit may differ
+};
+
+struct Pair {
+  const char* technique;
+  const char* parameter;
+  Change change;
+  const char *a, *b;
+  Settings given = {};
+  std::uint32_t camera = 0;
+};
+
+const Pair kPairs[] = {
+    {"ray_march", "steps", Change::kPicture, "16", "64"},
+    {"ray_march", "jitter", Change::kPicture, "none", "white"},
+    {"ray_march", "march_spacing", Change::kPicture, "distance", "transmittance", {"volumetrics.steps=8"}},
+    {"min_max", "columns", Change::kPicture, "128", "256"},
+    {"min_max", "slices", Change::kPicture, "128", "256"},
+    {"min_max", "slice_spacing", Change::kPicture, "azimuth", "border"},
+    {"min_max", "row_filter", Change::kPicture, "nearest", "linear"},
+    {"min_max", "row_filter", Change::kSpeed, "linear", "mipmapped"},
+    {"min_max", "rectification", Change::kPicture, "linear", "epipolar"},
+    {"min_max", "splits", Change::kPicture, "1", "3", {"volumetrics.rectification=linear"}},
+    {"min_max", "splits", Change::kSpeed, "1", "3"},  // epipolar maps are not split
+    {"min_max", "near_correction", Change::kSpeed, "false", "true"},
+    {"min_max", "epipole_block", Change::kPicture, "0", "20", {}, 1},
+    {"fourier", "basis_count", Change::kPicture, "8", "32"},
+    {"fourier", "basis_count", Change::kPicture, "30", "32"},
+    {"fourier", "bases_per_thread", Change::kSpeed, "4", "32"},
+    {"fourier", "basis_evaluation", Change::kSpeed, "fused", "separate", {"volumetrics.precision=full"}},
+    {"fourier", "precision", Change::kPicture, "standard", "full"},
+    {"fourier", "precision", Change::kSpeed, "compact", "standard"},
+    {"fourier", "depth_warp", Change::kPicture, "0", "1"},
+    {"fourier", "row_filter", Change::kPicture, "linear", "mipmapped"},
+    {"fourier", "prefix_bounds", Change::kPicture, "false", "true"},
+    {"moments6", "overestimation", Change::kPicture, "lower", "half"},
+    {"moments6", "overestimation", Change::kPicture, "half", "adaptive"},
+    {"moments6", "precision", Change::kPicture, "compact", "standard"},
+    {"moments6", "precision", Change::kPicture, "standard", "full"},
+    {"moments4", "precision", Change::kPicture, "compact", "standard"},
+    {"moments4", "precision", Change::kSpeed, "standard", "full"},
+    {"moments6", "reference_rays", Change::kPicture, "1", "3"},
+    {"moments6", "reference_ray", Change::kPicture, "bisectrix", "mean", {"volumetrics.reference_rays=1"}},
+    {"moments6", "reference_ray", Change::kPicture, "optimum", "mean", {"volumetrics.reference_rays=1"}},
+    {"moments6", "reference_ray", Change::kSpeed, "bisectrix", "mean"},
+    {"moments6", "weights", Change::kPicture, "average", "transmittance", {"medium.sigma_t=0.2"}},
+    {"moments6", "prefix_bounds", Change::kPicture, "false", "true"},
+    {"moments6", "regions", Change::kPicture, "1", "4"},
+    {"moments6", "near_correction", Change::kPicture, "false", "true", {"volumetrics.rectification=linear"}},
+    {"moments6", "prefix_scheme", Change::kSpeed, "row", "block"},
+    {"moments6", "prefix_scheme", Change::kSpeed, "row", "scan"},
+    {"fourier", "prefix_scheme", Change::kSpeed, "block", "scan"},
+};
+
+std::unique_ptr<Laboratory> hall(std::uint32_t camera) { return std::make_unique<Laboratory>("hall", camera, 160, 90); }
+
+TEST(Pairs, EachParameterChangesWhatItShould) {
+  for (std::uint32_t camera : {0u, 1u}) {
+    const auto lab = hall(camera);
+    for (const Pair& pair : kPairs) {
+      if (pair.camera != camera) continue;
+      const Settings base = kSmall + Settings{"volumetrics.technique=" + std::string(pair.technique)} + pair.given;
+      const std::string id = "volumetrics." + std::string(pair.parameter) + "=";
+      const Shot a = lab->shoot(base + Settings{id + pair.a}), b = lab->shoot(base + Settings{id + pair.b});
+      const double apart = errorOf(a.scatter, b.scatter).nRmse;
+      const std::string what = std::string(pair.technique) + ": " + id + pair.a + "|" + pair.b;
+      std::printf("%-60s %.5f\n", what.c_str(), apart);
+      if (pair.change == Change::kPicture) {
+        EXPECT_GT(apart, 2e-4) << what;
+      } else {
+        EXPECT_LT(apart, 4e-3) << what;
+      }
+      // Nothing but the visibility of light depends on them: the transmittance to the surface stays.
+      for (std::size_t i = 3; i < a.scatter.values.size(); i += 4) ASSERT_EQ(a.scatter.values[i], b.scatter.values[i]) << what;
+    }
+  }
+}
+
+/// Another value of `parameter` than its default that is built.
+std::string another(const params::Parameter& p) {
+  if (p.type == params::Type::kFloat) return params::toText(p, p.defaultValue + 0.37 * ((p.defaultValue < (p.builtMin + p.builtMax) / 2 ? p.builtMax : p.builtMin) - p.defaultValue));
+  if (p.type == params::Type::kInt) return params::toText(p, p.defaultValue == p.builtMax ? p.builtMin : std::min(p.builtMax, p.defaultValue + 1));
+  const auto count = p.type == params::Type::kBool ? std::size_t{2} : p.choices.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (static_cast<double>(i) != p.defaultValue && (p.built.empty() || p.built[i])) return params::toText(p, static_cast<double>(i));
+  return "";
+}
+
+TEST(Pairs, WhatATechniqueDoesNotReadChangesNothing) {
+  const auto lab = hall(0);
+  const host::Plugin& plugin = lab->session().catalogue().effectPlugin();
+  int tried = 0;
+  for (const host::TechniqueInfo& technique : plugin.techniques()) {
+    const Settings base = kSmall + Settings{"volumetrics.technique=" + technique.id};
+    const Shot before = lab->shoot(base);
+    for (const params::Parameter& p : plugin.parameters()) {
+      if (std::find(technique.reads.begin(), technique.reads.end(), p.id) != technique.reads.end()) continue;
+      const std::string value = another(p);
+      if (value.empty()) continue;
+      ++tried;
+      EXPECT_EQ(lab->shoot(base + Settings{p.id + "=" + value}).scatter.values, before.scatter.values)
+          << technique.id << " does not read " << p.id << ", set to " << value;
+      EXPECT_EQ(lab->session().catalogue().unusedSettings().back(), p.id);
+    }
+  }
+  EXPECT_GT(tried, 30);
+}
+
+}  // namespace
+}  // namespace tyndall::figures
