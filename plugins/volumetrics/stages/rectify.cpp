@@ -85,7 +85,6 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, De
        groups8(stage.slices), groups8(columns), 1, true, {{0, stage.filtered ? 1u : 0u}}});
   builder.debugView("rectified", "Rectified map, resampled: slices along x, columns along y; depth of the first blocker, white = none",
                     TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f);
-  builder.debugView("shadow_map", "The first light's shadow map that the rows are made of", TY_SOURCE_SHADOW_MAP, 0, 0, 0, 0.0f, 1.0f);
   stage.projective = stage.rectified;
   if (!projective) return stage;
 
