@@ -82,7 +82,9 @@ Polygon fillFrame(const RectificationInput& input, const glm::dvec3& e1, Rectifi
   std::vector<glm::dvec2> casters;
   for (const glm::vec3& corner : input.casterCorners) casters.push_back(project(glm::dvec3(corner) - glm::dvec3(input.rays.eye)));
   const Polygon region = intersectConvex(convexHull(casters), convexHull(seen));
+  block.reach = 0;
   if (region.size() < 3 || area(region) <= 0) return {};
+  for (const glm::dvec2& corner : region) block.reach = std::max(block.reach, static_cast<float>(glm::length(corner)));
   block.polygonCount = static_cast<std::uint32_t>(std::min<std::size_t>(region.size(), kMaxPolygon));
   for (std::uint32_t i = 0; i < block.polygonCount; ++i) {
     const glm::dvec2 a = region[i];

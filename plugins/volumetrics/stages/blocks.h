@@ -62,6 +62,7 @@ struct RectificationBlock {
   uint nearLit;            // 1: what lies before the first column is known to be lit; 0: it is not in the map
   float inverse[5];        // projective: 1/x at the borders of the splits, 1/m, falling
   vec3 shadowAlong;        // change of shadow texel and depth per metre towards the light (x, y are 0)
+  float reach;             // greatest distance from the axis at which light can be blocked, m
   uint planeCount;         // side planes of the frustum in the basis (e1, e2, towards); inside: dot >= 0
   vec3 planes[4];
   uint polygonCount;       // half-planes dot(n, p) <= h of the region, around the axis, in which light rays can be blocked;
