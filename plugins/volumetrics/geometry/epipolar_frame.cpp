@@ -60,6 +60,15 @@ InclinationRange inclinationRange(const RayBlock& rays, const glm::vec3& towards
   return range;
 }
 
+void fillDepths(const RectificationInput& input, RectificationBlock& block) {
+  const InclinationRange range = inclinationRange(input.rays, input.towards);
+  const double guard = kDepthGuard * std::max(range.max - range.min, 1e-3);
+  block.depthLow = static_cast<float>(range.min - guard);
+  block.depthScale = static_cast<float>(1 / (range.max - range.min + 2 * guard));
+  block.depthPower = 1;
+  block.meanTheta = static_cast<float>((range.min + range.max) / 2);
+}
+
 Polygon fillFrame(const RectificationInput& input, const glm::dvec3& e1, RectificationBlock& block) {
   const glm::dvec3 axis(input.towards);
   const glm::dvec3 e2 = glm::cross(axis, e1);
@@ -202,13 +211,7 @@ RectificationBlock epipolarBlock(const RectificationInput& input) {
     if (block.edgeCount > 0) block.slicing = kSlicesByBorder;
   }
 
-  // Section 5.1.1: the range of theta is stretched by 10 % (a guard band against leaking at its ends).
-  const InclinationRange range = inclinationRange(input.rays, input.towards);
-  const double guard = 0.05 * std::max(range.max - range.min, 1e-3);
-  block.depthLow = static_cast<float>(range.min - guard);
-  block.depthScale = static_cast<float>(1 / (range.max - range.min + 2 * guard));
-  block.depthPower = 1;
-  block.meanTheta = static_cast<float>((range.min + range.max) / 2);
+  fillDepths(input, block);
   block.nearLit = 1;
   return block;
 }

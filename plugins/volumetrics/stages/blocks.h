@@ -45,13 +45,14 @@ struct BorderEdge {
 };
 
 // How view rays become rows (see lib/epipolar.glsl). Epipolar: a column is a distance from the axis, spread per slice over
-// [first, last] of its Slice; depth is the inclination. Projective: columns are uniform in 1/x, x the distance along e1, depth is
-// the height over x (the cotangent of the inclination, over the cosine of the azimuth).
+// [first, last] of its Slice; depth is the inclination. Projective: columns are uniform in 1/x, x the distance along e1; stored is
+// the height over x (the cotangent of the inclination, over the cosine of the azimuth), which is turned into the inclination when read.
 struct RectificationBlock {
   vec3 e1, e2;             // unit, perpendicular to the light's direction
   int slicing;             // kSlicesBy...
   float sliceLow, sliceStep;  // azimuth (rad) or tangent of slice coordinate 0, and its change per slice
-  float depthLow, depthScale; // normalised depth = ((inclination, or minus height over x) - depthLow) * depthScale, guard band included
+  float depthLow, depthScale; // normalised depth = (inclination - depthLow) * depthScale, guard band included
+  float rasterLow, rasterScale; // projective: a stored depth is (minus height over x - rasterLow) * rasterScale
   float depthPower;        // warp: the normalised depth is raised to this power; 1 is none
   float meanTheta;         // mean of the extreme inclinations of the frustum, rad
   uint fullCircle;         // 1: slices wrap round (an epipole is on the screen)

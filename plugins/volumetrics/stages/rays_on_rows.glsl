@@ -38,7 +38,7 @@ RowRay rowRay(vec3 local, float end, bool interpolate) {
   RowRay ray;
   ray.sine = length(local.xy);
   ray.theta = atan(ray.sine, local.z);
-  ray.depth = rectifiedDepth(ray.sine, local.x, local.z);
+  ray.depth = rectifiedDepth(ray.sine, local.z);
   ray.slice = sliceCoordinate(local.xy);
   float below = interpolate ? floor(ray.slice - 0.5) : floor(ray.slice);
   float share = interpolate ? ray.slice - 0.5 - below : 0.0;
