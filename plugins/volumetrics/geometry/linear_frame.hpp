@@ -16,13 +16,16 @@ struct LinearFrame {
   /// Length along e1 of the longest column, the last of each split, and of one if a single map's columns were all equal, m (0: nothing
   /// can be blocked).
   double longestColumn = 0, evenColumn = 0;
+  /// Angle of the widest slice, in the middle, over that of one if all were equal.
+  double widestSlice = 1;
 };
 
 /// None where no projective map exists: the light or its antipode is in view, or the view spans (nearly) 180 degrees seen along the
 /// light. `splits` is 1...4; their borders make the last columns of all as short as they can be.
 std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uint32_t splits);
 
-/// The rule of rectification=auto: the last column of no split is longer than four epipolar ones.
-bool columnsAreEvenEnough(const LinearFrame& frame);
+/// The rule of rectification=auto: the last column of no split is longer than four epipolar ones, no slice wider than 1.4. The
+/// latter comes first when the light nears the screen: seen along it, the view then spans nearly half a circle.
+bool isEvenEnough(const LinearFrame& frame);
 
 }  // namespace volumetrics

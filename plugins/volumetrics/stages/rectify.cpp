@@ -16,6 +16,8 @@ constexpr std::uint32_t kSegmentAlignment = 8;
 
 Rectification rectification(const Settings& settings) { return static_cast<Rectification>(settings.rectification); }
 
+/// `regions`: parts of each map. An epipolar map that stands in for projective ones has as many parts as all of them together, so that a
+/// switch between both changes neither the number of look-ups nor what joining the parts brings.
 void setSegments(RectificationBlock& map, std::uint32_t regions) {
   const std::uint32_t even = (map.columns + regions - 1) / regions;
   map.segmentColumns = (even + kSegmentAlignment - 1) / kSegmentAlignment * kSegmentAlignment;
@@ -37,7 +39,7 @@ RectificationBlock chooseMap(const FrameContext& context, const RectificationInp
   if (rectification(settings) != Rectification::kEpipolar) {
     const auto linear = linearFrame(input, static_cast<std::uint32_t>(settings.splits));
     if (!linear && rectification(settings) == Rectification::kLinear) context.report.linearImpossible = true;
-    if (linear && (rectification(settings) == Rectification::kLinear || columnsAreEvenEnough(*linear))) {
+    if (linear && (rectification(settings) == Rectification::kLinear || isEvenEnough(*linear))) {
       for (std::uint32_t i = 0; i < context.roles.splits; ++i) {
         auto& matrix = context.block<glm::mat4>(context.roles.casterBlock + i, light);
         matrix = linear->clipFromWorld[i];
@@ -125,7 +127,7 @@ void prepareRectify(const FrameContext& context) {
     input.slices = static_cast<std::uint32_t>(settings.slices);
     input.spacing = static_cast<SliceSpacing>(settings.slice_spacing);
     block.map = chooseMap(context, input, i);
-    setSegments(block.map, static_cast<std::uint32_t>(settings.regions));
+    setSegments(block.map, static_cast<std::uint32_t>(settings.regions) * (context.roles.splits > 1 ? context.roles.splits / block.map.splits : 1));
     block.map.depthPower = 1.0f / (1.0f + settings.depth_warp);
     const glm::vec3 a = block.sun.towards;
     block.map.shadowAlong = block.sun.shadowX * a.x + block.sun.shadowY * a.y + block.sun.shadowZ * a.z;
