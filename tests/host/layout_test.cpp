@@ -350,6 +350,30 @@ TEST(LayoutRefused, passes) {
   });
 }
 
+TEST(Layout, aMomentShadowMapIsBoundWhole) {
+  const auto moments = [](Given& g) {
+    g.context.shadowMoments = TY_FORMAT_RGBA16_UNORM;
+    g.bindings[kLight][0] =
+        Given::bind(0, TY_SOURCE_SHADOW_MOMENTS, 0, TY_ACCESS_SAMPLED, TY_SAMPLER_LINEAR_MIPMAP_CLAMP);
+    g.views[1].source = TY_SOURCE_SHADOW_MOMENTS;
+  };
+  Given good;
+  moments(good);
+  EXPECT_TRUE(good.check()) << good.check().error().message;
+  expectRefusals({
+      {"which this renderer does not make", [&](Given& g) { moments(g), g.context.shadowMoments = TY_FORMAT_UNKNOWN; }},
+      {"not per light", [&](Given& g) { moments(g), g.passes[kLight].per_light = 0; }},
+      {"moment shadow map; sample it",
+       [&](Given& g) { moments(g), g.bindings[kLight][0].access = TY_ACCESS_STORAGE_READ; }},
+      {"some mips", [&](Given& g) { moments(g), g.bindings[kLight][0].base_mip = 1; }},
+      {"some mips", [&](Given& g) { moments(g), g.bindings[kLight][0].mip_count = 1; }},
+      {"a part of a shadow map", [&](Given& g) { moments(g), g.bindings[kLight][0].layer_count = 1; }},
+      {"only index 0", [&](Given& g) { moments(g), g.bindings[kLight][0].index = 1; }},
+      {"mip or layer", [&](Given& g) { moments(g), g.views[1].layer = 6; }},
+      {"neither an image nor", [&](Given& g) { moments(g), g.targets[0].source = TY_SOURCE_SHADOW_MOMENTS; }},
+  });
+}
+
 TEST(LayoutRefused, readingWhatNobodyWrote) {
   expectRefusals({
       {"pass 'sum': reads image 'flat'", [](Given& g) { std::swap(g.passes[kLight], g.passes[kSum]); }},

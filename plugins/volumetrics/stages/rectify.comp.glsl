@@ -43,7 +43,9 @@ void main() {
     if (kFiltered) {
       // Footprint in shadow texels of one column and of one slice.
       vec2 along = s.shadowStep.xy * (s.last - s.first) / float(light.map.columns);
-      vec2 across = c * length(s.shadowStep.xy) * (sliceDirection(float(at.x) + 1.0) - sliceDirection(float(at.x)));
+      vec2 turn = c * (sliceDirection(float(at.x) + 1.0) - sliceDirection(float(at.x)));
+      vec3 world = turn.x * light.map.e1 + turn.y * light.map.e2;
+      vec2 across = light.sun.shadowX.xy * world.x + light.sun.shadowY.xy * world.y + light.sun.shadowZ.xy * world.z;
       float lod = max(log2(max(max(length(along), length(across)), 1e-6)), 0.0);
       vec4 b = textureLod(shadowMap, vec3(p.xy / light.sun.shadowSize, 0.0), lod);
       if (kQuantisedMoments) b = dequantise4(b);
