@@ -12,7 +12,7 @@ namespace {
 /// Views of the engine, then those of every technique of the effect. Without a device the latter are left out with a note.
 std::vector<DebugViewText> debugViews(std::unique_ptr<Catalogue>& catalogue, const std::string& deviceName, std::vector<std::string>& notes) {
   std::vector<DebugViewText> views;
-  for (const render::DebugViewInfo& view : render::Renderer::debugViews()) views.push_back({view.name, "engine", view.doc});
+  for (const render::DebugViewInfo& view : render::Renderer::debugViews()) views.push_back({view.name, "engine", view.doc, {}});
   gpu::DeviceOptions options;
   options.name = deviceName;
   auto device = gpu::Device::create(options);
@@ -27,18 +27,21 @@ std::vector<DebugViewText> debugViews(std::unique_ptr<Catalogue>& catalogue, con
     notes.push_back("the plugin's debug views are left out: " + effect.error().message);
     return views;
   }
-  const auto add = [&] {
+  const auto add = [&](const std::string& technique) {
     for (const host::PluginDebugView& view : (*effect)->debugViews()) {
-      const auto same = [&](const DebugViewText& other) { return other.name == view.name; };
-      if (std::none_of(views.begin(), views.end(), same)) views.push_back({view.name, plugin.id(), view.doc});
+      auto known = std::find_if(views.begin(), views.end(), [&](const DebugViewText& other) { return other.name == view.name && other.owner == plugin.id(); });
+      if (known == views.end()) known = views.insert(known, {view.name, plugin.id(), view.doc, {}});
+      if (!technique.empty()) known->techniques.push_back(technique);
     }
   };
-  add();
-  if (plugin.selector() >= plugin.parameters().size()) return views;
+  if (plugin.selector() >= plugin.parameters().size()) {
+    add("");
+    return views;
+  }
   const std::string selector = plugin.parameters()[plugin.selector()].id;
   const double before = table.value(selector);
   for (const host::TechniqueInfo& technique : plugin.techniques())
-    if (table.setText(selector, technique.id)) add();
+    if (table.setText(selector, technique.id)) add(technique.id);
   (void)table.set(selector, before);  // it was a value of this table a moment ago
   return views;
 }
@@ -64,7 +67,11 @@ std::string describeText(const Catalogue& catalogue, const std::vector<DebugView
     text += "  " + p.id + " = " + params::toText(p, p.defaultValue) + (p.unit.empty() ? "" : " " + p.unit) + "   [" + range(p) + "]\n    " + p.doc + "\n";
   }
   text += "\ndebug views\n";
-  for (const DebugViewText& view : views) text += "  " + view.name + " (" + view.owner + ") - " + view.doc + "\n";
+  for (const DebugViewText& view : views) {
+    std::string of;
+    for (const std::string& technique : view.techniques) of += (of.empty() ? ": " : ", ") + technique;
+    text += "  " + view.name + " (" + view.owner + of + ") - " + view.doc + "\n";
+  }
   return text;
 }
 

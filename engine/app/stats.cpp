@@ -119,7 +119,7 @@ std::string describeJson(const Catalogue& catalogue, const std::vector<DebugView
   j["parameters"] = Json::array();
   for (const params::Parameter& parameter : catalogue.table().parameters()) j["parameters"].push_back(parameterJson(parameter));
   j["debug_views"] = Json::array();
-  for (const DebugViewText& view : views) j["debug_views"].push_back({{"name", view.name}, {"owner", view.owner}, {"doc", view.doc}});
+  for (const DebugViewText& view : views) j["debug_views"].push_back({{"name", view.name}, {"owner", view.owner}, {"doc", view.doc}, {"techniques", view.techniques}});
   return dump(j);
 }
 

@@ -13,7 +13,10 @@ std::string statsJson(const RenderOptions& options, Session& session, const Rend
 /// Device, size, passes with their times, total.
 std::string statsTable(const RenderOptions& options, Session& session, const RenderRun& run);
 /// describe: plugins, techniques, parameters, debug views.
-struct DebugViewText { std::string name, owner, doc; };
+struct DebugViewText {
+  std::string name, owner, doc;
+  std::vector<std::string> techniques;  ///< of the effect, that have the view; empty: there whatever the technique
+};
 std::string describeJson(const Catalogue& catalogue, const std::vector<DebugViewText>& views);
 
 }  // namespace tyndall::app

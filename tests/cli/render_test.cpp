@@ -1,6 +1,8 @@
 // Good calls of render: files, their sizes, and what the stats say.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -146,12 +148,22 @@ TEST_F(Render, OddAndTinySizes) {
   }
 }
 
+// Every view that describe lists is shown with a technique that has it, and no two have one name.
 TEST_F(Render, DebugViewsOfEngineAndPlugin) {
   const json described = json::parse(tyndall({"describe", "--json"}).out);
-  std::string first, last;  // one of each owner
-  for (const json& view : described.at("debug_views")) (view.at("owner") == "engine" ? first : last) = view.at("name");
-  for (const std::string& name : {first, last}) {
-    const Outcome outcome = tyndall(with(kSmall, {"--debug-view", name, "--out", "v.png"}));
+  std::set<std::string> names;
+  std::map<std::string, std::string> lastOf;  // technique ("" for the engine): the last of its views
+  for (const json& view : described.at("debug_views")) {
+    EXPECT_TRUE(names.insert(view.at("name")).second) << view;
+    EXPECT_EQ(view.at("techniques").empty(), view.at("owner") == "engine") << view;
+    if (view.at("owner") == "engine") lastOf[""] = view.at("name");
+    for (const std::string technique : view.at("techniques")) lastOf[technique] = view.at("name");
+  }
+  EXPECT_EQ(lastOf.size(), 6u);
+  for (const auto& [technique, name] : lastOf) {
+    std::vector<std::string> call = with(kSmall, {"--debug-view", name, "--out", "v.png"});
+    if (!technique.empty()) call.insert(call.end(), {"--set", "volumetrics.technique=" + technique});
+    const Outcome outcome = tyndall(call);
     EXPECT_EQ(outcome.status, 0) << name << ": " << outcome.err;
   }
 }

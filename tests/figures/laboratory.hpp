@@ -46,8 +46,8 @@ class Laboratory {
   std::uint32_t cameraIndex_;
   scene::CameraView start_;
   app::FrameRequest request_;
-  app::Readback readback_;
   std::unique_ptr<app::Session> session_;
+  app::Readback readback_;  // after the session: its buffers go before the device
 };
 
 /// Of `picture` against `reference`; throws if they cannot be compared.

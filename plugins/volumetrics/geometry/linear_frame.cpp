@@ -29,19 +29,22 @@ std::optional<glm::dvec2> bisectrix(const std::array<glm::dvec2, 4>& corners) {
   return glm::normalize(middle);
 }
 
-/// Border of the split that starts at `start` if its last column is to be `length` / columns long: b (b - a) / a = length, since columns are
-/// uniform in 1/x.
-double splitEnd(double start, double length) { return 0.5 * (start + std::sqrt(start * start + 4 * length * start)); }
+/// Border of the split that starts at `start` if its last column, of `columns`, is to be `length` long. Columns are uniform in 1/x, so
+/// that column is b (b - a) / (columns a + b - a) long in a split from a to b.
+double splitEnd(double start, double length, double columns) {
+  const double sum = start + length;
+  return 0.5 * (sum + std::sqrt(sum * sum + 4 * length * start * (columns - 1)));
+}
 
 /// Borders of splits whose last columns are all of one length, the shortest possible: the first splits grow fastest.
-std::array<double, kMaxSplits + 1> splitBorders(double first, double last, std::uint32_t splits) {
+std::array<double, kMaxSplits + 1> splitBorders(double first, double last, std::uint32_t splits, double columns) {
   std::array<double, kMaxSplits + 1> borders{first};
   const auto reach = [&](double length) {
     double border = first;
-    for (std::uint32_t i = 0; i < splits; ++i) borders[i + 1] = border = splitEnd(border, length);
+    for (std::uint32_t i = 0; i < splits; ++i) borders[i + 1] = border = splitEnd(border, length, columns);
     return border;
   };
-  double low = 0, high = last * (last - first) / first;  // a single split needs the latter
+  double low = 0, high = last * (last - first) / (columns * first + last - first);  // a single split needs the latter
   for (int i = 0; i < 100; ++i) {
     const double middle = 0.5 * (low + high);
     (reach(middle) < last ? low : high) = middle;
@@ -126,7 +129,7 @@ std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uin
   }
   block.splits = splits;
   frame.evenColumn = (last - first) / input.columns;
-  const auto borders = splitBorders(first, last, splits);
+  const auto borders = splitBorders(first, last, splits, input.columns);
   for (std::uint32_t i = 0; i <= splits; ++i) block.inverse[i] = static_cast<float>(1 / borders[i]);
   if (block.polygonCount == 0) return frame;
   for (std::uint32_t i = 0; i < splits; ++i) {

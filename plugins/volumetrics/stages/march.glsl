@@ -62,7 +62,7 @@ float denselyMarched(SunBlock sun, sampler2DArray shadowMap, vec3 direction, flo
   float integral = transmittanceIntegral(sigma_t, 0.0, end);
   if (interval.y <= interval.x) return integral;
   float texels = (interval.y - interval.x) * (abs(step_.x) + abs(step_.y));
-  int steps = clamp(int(texels * 2.0), 64, most);
+  int steps = clamp(int(texels * 2.0), 256, most);
   return integral - transmittanceIntegral(sigma_t, interval.x, interval.y) *
                         blockedByDistance(sun, shadowMap, step_, interval, sigma_t, steps, 0.5);
 }

@@ -87,7 +87,6 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, De
        {{0, stage.filtered ? 1u : 0u}, {1, context.shadowMoments == TY_FORMAT_RGBA16_UNORM ? 1u : 0u}}});
   builder.debugView("rectified", "Rectified map, resampled: slices along x, columns along y; depth of the first blocker, white = none",
                     TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f);
-  builder.debugView("shadow_map", "The first light's shadow map that the rows are made of", TY_SOURCE_SHADOW_MAP, 0, 0, 0, 0.0f, 1.0f);
   if (stage.filtered) {
     builder.debugView("rectified_second", "Rectified map, filtered: depth of the second blocker", TY_SOURCE_IMAGE, stage.rectified, 0, 1,
                       0.0f, 1.0f);
