@@ -256,7 +256,7 @@ TEST(LayoutRefused, bindings) {
       {"buffer 4294967295", [](Given& g) { g.bindings[kFill][2].index = TY_NONE; }},
       {"uniform block 2", [](Given& g) { g.bindings[kFill][3].index = 2; }},
       {"index 1; this source has only index 0", [](Given& g) { g.bindings[kFill][0].index = 1; }},
-      {"unknown source 6", [](Given& g) { g.bindings[kFill][0].source = 6; }},
+      {"unknown source 7", [](Given& g) { g.bindings[kFill][0].source = 7; }},
       {"unknown access 5", [](Given& g) { g.bindings[kFill][0].access = 5; }},
       {"unknown sampler 5", [](Given& g) { g.bindings[kFill][0].sampler = 5; }},
       {"mixes uniform", [](Given& g) { g.bindings[kFill][3].access = TY_ACCESS_SAMPLED; }},
