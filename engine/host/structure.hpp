@@ -16,7 +16,7 @@ struct Structure {
   std::uint32_t width = 1, height = 1;
   std::vector<std::uint32_t> lightKinds, shadowSizes;
   std::uint32_t shadowMoments = TY_FORMAT_UNKNOWN;  ///< TyFormat
-  std::vector<double> values;  ///< of every parameter
+  std::vector<double> values;                       ///< of every parameter
   std::vector<bool> structural;
 
   TyStructure abi() const;  ///< points into this

@@ -66,7 +66,7 @@ Result<void> addLightingPasses(Graph& graph, const PassTools& tools, const std::
       }
     }
     if (batch.rect.empty()) continue;
-    Result<const gpu::Pipeline*> pipeline = 
+    Result<const gpu::Pipeline*> pipeline =
         tools.pipelines.get(lightingRecipe(batch.base(), batch.shadowedCount, frame->surfaceMaps));
     if (!pipeline) return pipeline.error();
     declare(graph, tools, frame, **pipeline, batch);

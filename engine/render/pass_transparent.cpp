@@ -20,10 +20,9 @@ Result<void> addTransparentPass(Graph& graph, const PassTools& tools, const std:
     frame->plan.notes.push_back("alpha-blended surfaces: shadowed by the " + std::to_string(kShadowSlots) +
                                 " most important lights only, of " + std::to_string(shadowed) + " with shadow maps");
   }
-  Result<DrawPipelines> pipelines = pipelinesOf(
-      tools.pipelines, draws, [&](const Draw& draw) {
-        return transparentRecipe(draw.facing, draw.textures, slots, frame->surfaceMaps);
-      });
+  Result<DrawPipelines> pipelines = pipelinesOf(tools.pipelines, draws, [&](const Draw& draw) {
+    return transparentRecipe(draw.facing, draw.textures, slots, frame->surfaceMaps);
+  });
   if (!pipelines) return pipelines.error();
   Graph::Pass pass = graph.pass("transparent");
   pass.use(frame->color, Use::kColorReadWrite).use(frame->depth, Use::kDepthRead);

@@ -118,8 +118,8 @@ Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t sl
 }
 
 Recipe lightingRecipe(bool base, std::uint32_t slots, ShadowMaps maps) {
-  Recipe recipe = fullScreen((base ? "lighting, " : "more lighting, ") + mapsText(slots, maps), "lighting.frag",
-                             kColorFormat);
+  Recipe recipe =
+      fullScreen((base ? "lighting, " : "more lighting, ") + mapsText(slots, maps), "lighting.frag", kColorFormat);
   recipe.desc.bindings = {{0, kUniform}, {1, kUniform}};
   addSampled(recipe.desc.bindings, 2, 4 + shared::kShadowSlots);
   recipe.desc.bindings.push_back({10, kStorage});

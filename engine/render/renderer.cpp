@@ -102,8 +102,7 @@ Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) 
     if (frame->momentFormat == VK_FORMAT_UNDEFINED)
       return badCall("shadows.precision: " + std::to_string(input.settings.shadowPrecision) +
                      "; this device cannot filter such maps, shadows.mode=moments takes the other precision");
-    frame->surfaceMaps =
-        frame->momentFormat == kMoments64Format ? ShadowMaps::kQuantisedMoments : ShadowMaps::kMoments;
+    frame->surfaceMaps = frame->momentFormat == kMoments64Format ? ShadowMaps::kQuantisedMoments : ShadowMaps::kMoments;
   }
   frame->plan = planLights(frame->view, input.lights, frame->draws.casters, input.settings.shadowResolution,
                            kShadowBudgetBytes, shadowTexelBytes(*frame));

@@ -70,17 +70,18 @@ class FrameFixture : public testing::Test {
 
   /// A moment map of 8x8 texels; the third channel of each texel is 100 times its mip plus `value`.
   gpu::Image momentImage(std::uint32_t layers, float value) {
-    auto image = device_->createImage({.name = "moments",
-                                       .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-                                       .width = 8,
-                                       .height = 8,
-                                       .layers = layers,
-                                       .mips = 4,
-                                       .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
-                                                VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    auto image = device_->createImage(
+        {.name = "moments",
+         .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+         .width = 8,
+         .height = 8,
+         .layers = layers,
+         .mips = 4,
+         .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     EXPECT_TRUE(image) << image.error().message;
     for (std::uint32_t mip = 0; mip < 4; ++mip) {
-      const std::vector<glm::vec4> texels(64u >> (2 * mip), glm::vec4(0, 0, 100.0f * static_cast<float>(mip) + value, 0));
+      const std::vector<glm::vec4> texels(64u >> (2 * mip),
+                                          glm::vec4(0, 0, 100.0f * static_cast<float>(mip) + value, 0));
       for (std::uint32_t layer = 0; layer < layers; ++layer)
         EXPECT_TRUE(device_->upload(*image, std::as_bytes(std::span(texels)), mip, layer));
     }

@@ -17,7 +17,10 @@ struct FilteredResampling : testing::Test {
     static std::vector<std::string> lines;
     return lines;
   }
-  TyHost host{sizeof(TyHost), TY_ABI_VERSION, "test", nullptr,
+  TyHost host{sizeof(TyHost),
+              TY_ABI_VERSION,
+              "test",
+              nullptr,
               [](void*, std::uint32_t level, const char* line) {
                 if (level >= TY_LOG_WARNING) log().emplace_back(line);
               },

@@ -67,8 +67,8 @@ TEST_F(MomentMap, HoldsTheGaussianOfTheLinearDepthsPowers) {
     for (const MomentReader::Light& light : read(lights, precision, 52)) {  // no multiple of a workgroup
       const auto kind = static_cast<int>(light.shadow.light.light.kind);
       ASSERT_EQ(light.moments[0].size(), light.shadow.light.light.kind == scene::LightKind::kPoint ? 6u : 1u);
-      // 16 bits are rounded twice, the second time after an average. Depths of a perspective map are floats near 1, of which
-      // little is left when they are made linear.
+      // 16 bits are rounded twice, the second time after an average. Depths of a perspective map are floats near 1, of
+      // which little is left when they are made linear.
       const bool perspective = light.shadow.light.light.kind != scene::LightKind::kDirectional;
       const double tolerance = (precision == 64 ? 1.2 / 65535 : 2e-6) + (perspective ? 3e-5 : 0);
       double worst = 0, spread = 0;
@@ -114,8 +114,8 @@ TEST_F(MomentMap, MipsAreMeansDownToOneTexel) {
 }
 
 std::size_t momentPasses(const std::vector<PassTime>& passes) {
-  return static_cast<std::size_t>(std::count_if(passes.begin(), passes.end(),
-                                                [](const PassTime& p) { return p.name.starts_with("moments "); }));
+  return static_cast<std::size_t>(
+      std::count_if(passes.begin(), passes.end(), [](const PassTime& p) { return p.name.starts_with("moments "); }));
 }
 
 TEST_F(MomentMap, NothingIsSpentWhenNobodyReadsIt) {
@@ -129,7 +129,8 @@ TEST_F(MomentMap, NothingIsSpentWhenNobodyReadsIt) {
   const Shot narrow = shot(ShadowMode::kPcf, 64), wide = shot(ShadowMode::kPcf, 128);
   EXPECT_EQ(momentPasses(narrow.passes), 0u);
   EXPECT_EQ(momentPasses(wide.passes), 0u);
-  // Depth maps of seven faces, targets of the view's size; moments of these faces alone would take twice to four times as much.
+  // Depth maps of seven faces, targets of the view's size; moments of these faces alone would take twice to four times
+  // as much.
   EXPECT_EQ(narrow.statistics.transientBytesUnshared, wide.statistics.transientBytesUnshared);
   const std::uint64_t depths = 7ull * 512 * 512 * 4;
   EXPECT_GT(narrow.statistics.transientBytesUnshared, depths);

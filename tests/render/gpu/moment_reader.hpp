@@ -12,9 +12,9 @@ class MomentReader : public Effect {
  public:
   struct Light {
     ShadowedLight shadow;
-    std::vector<std::vector<float>> depth;                            ///< [face][texel]
-    std::vector<std::vector<std::vector<glm::dvec4>>> moments;        ///< [mip][face][texel], as stored
-    gpu::ImageDesc desc;                                              ///< of the moments
+    std::vector<std::vector<float>> depth;                      ///< [face][texel]
+    std::vector<std::vector<std::vector<glm::dvec4>>> moments;  ///< [mip][face][texel], as stored
+    gpu::ImageDesc desc;                                        ///< of the moments
   };
 
   explicit MomentReader(gpu::Device& device) : device_(device) {}
@@ -42,7 +42,8 @@ class MomentReader : public Effect {
         std::memcpy(light.depth.back().data(), copy->mapped() + face * texels * 4, texels * 4);
       }
       ++copy;
-      for (std::uint32_t mip = 0; mip < light.desc.mips; ++mip, ++copy) light.moments.push_back(decode(light, mip, *copy));
+      for (std::uint32_t mip = 0; mip < light.desc.mips; ++mip, ++copy)
+        light.moments.push_back(decode(light, mip, *copy));
     }
     return std::move(lights_);
   }
@@ -51,14 +52,16 @@ class MomentReader : public Effect {
   void add(Graph& graph, ImageRef image, std::uint32_t mip, VkImageAspectFlags aspect) {
     const gpu::ImageDesc desc = graph.desc(image);
     const std::uint32_t side = std::max(desc.width >> mip, 1u);
-    copies_.push_back(device_
-                          .createBuffer({"moments read back",
-                                         VkDeviceSize{side} * side * desc.layers * gpu::texelBytes(desc.format),
-                                         VK_BUFFER_USAGE_TRANSFER_DST_BIT, true})
-                          .take());
+    copies_.push_back(
+        device_
+            .createBuffer({"moments read back", VkDeviceSize{side} * side * desc.layers * gpu::texelBytes(desc.format),
+                           VK_BUFFER_USAGE_TRANSFER_DST_BIT, true})
+            .take());
     // The buffer moves with the list, its handle does not change; passes that write no import must be kept.
-    graph.pass("read maps").use(image, Use::kTransferRead).keep().run(
-        [=, to = copies_.back().handle(), layers = desc.layers](PassContext& context) {
+    graph.pass("read maps")
+        .use(image, Use::kTransferRead)
+        .keep()
+        .run([=, to = copies_.back().handle(), layers = desc.layers](PassContext& context) {
           VkBufferImageCopy region{};
           region.imageSubresource = {aspect, mip, 0, layers};
           region.imageExtent = {side, side, 1};

@@ -1,5 +1,5 @@
-// Surfaces lit through moment shadow maps: like percentage-closer filtering away from a shadow's edge, with the edge of the
-// maps' Gaussian, and with no more light leaking than the bias allows.
+// Surfaces lit through moment shadow maps: like percentage-closer filtering away from a shadow's edge, with the edge of
+// the maps' Gaussian, and with no more light leaking than the bias allows.
 #include "moment_reader.hpp"
 
 namespace tyndall::render::test {
@@ -15,8 +15,8 @@ struct Scene {
     scene::Material floor = Level::grey(188);
     if (blended) floor.alphaMode = scene::AlphaMode::kBlend;
     const std::int32_t grey = level.material(Level::grey(188));
-    // Blended surfaces cast no shadow and hide nothing: an opaque floor a little lower keeps the view closed and the depth
-    // range the same.
+    // Blended surfaces cast no shadow and hide nothing: an opaque floor a little lower keeps the view closed and the
+    // depth range the same.
     if (blended) level.quad({0, -0.01f, 0}, {8, 0, 0}, {0, 0, -8}, grey);
     level.quad({0, 0, 0}, {8, 0, 0}, {0, 0, -8}, level.material(floor));
     if (half > 0) level.quad({0, height, 0}, {half, 0, 0}, {0, 0, -half}, grey);
@@ -74,7 +74,8 @@ double fromEdge(const ShadowedLight& light, const Scene& scene, const glm::vec3&
 }
 
 std::vector<scene::LightView> lightKinds() {
-  return {sun({0.2f, -1, 0.1f}, 10), spotLight({0.4f, 6, 0.3f}, {0, 0, 0}, 300, 0.7f), pointLight({0.4f, 6, 0.3f}, 300)};
+  return {sun({0.2f, -1, 0.1f}, 10), spotLight({0.4f, 6, 0.3f}, {0, 0, 0}, 300, 0.7f),
+          pointLight({0.4f, 6, 0.3f}, 300)};
 }
 
 /// What the sun, spot or point light alone gives to each pixel of the floor.
@@ -94,7 +95,8 @@ TEST_F(MomentShadow, EqualsPcfAwayFromTheEdge) {
     for (const scene::LightView& light : lightKinds()) {
       const auto kind = static_cast<int>(light.light.kind);
       MomentReader reader(stage().device());
-      const Direct direct{shoot(unshadowed, {light}, ShadowMode::kPcf, 64), shoot(roofed, {light}, ShadowMode::kPcf, 64)};
+      const Direct direct{shoot(unshadowed, {light}, ShadowMode::kPcf, 64),
+                          shoot(roofed, {light}, ShadowMode::kPcf, 64)};
       const Shot pcf = shoot(plate, {light}, ShadowMode::kPcf, 64, &reader);
       const ShadowedLight shadow = reader.take().at(0).shadow;
       for (const std::uint32_t precision : {64u, 128u}) {
@@ -105,22 +107,23 @@ TEST_F(MomentShadow, EqualsPcfAwayFromTheEdge) {
           for (std::uint32_t x = 0; x < kPicture; ++x) {
             const std::size_t pixel = y * kPicture + x;
             const float distance = direct.roofed.distance[pixel];
+            const glm::vec3 world = worldAt(pcf, x, y);
             if (distance > 20 || pcf.distance[pixel] != distance || direct.at(pixel) < 0.05 ||
-                std::abs(worldAt(pcf, x, y).y) > 0.02f)
+                std::abs(world.y) > 0.02f ||
+                std::max(std::abs(world.x), std::abs(world.z)) > 7)  // the floor's own edge is one too
               continue;
-            const double edge = fromEdge(shadow, plate, worldAt(pcf, x, y));
-            // The Gaussian ends after 4 texels; a pixel covers up to 4 of the map, which mips and the offset of the receiver
-            // stretch the filter by.
+            const double edge = fromEdge(shadow, plate, world);
+            // The Gaussian ends after 4 texels; a pixel covers up to 4 of the map, which mips and the offset of the
+            // receiver stretch the filter by.
             const double reach = 16;
             const double share = direct.share(moments, pixel);
             if (edge > reach) {
               ++lit;
-              // Cut at the edges of a cube's faces, the Gaussian loses its symmetry and grazed floors 1.2 percent; the limit is
-              // the 2 percent that over-darkening takes off on the other side.
-              ASSERT_NEAR(share, 1, 0.02) << "kind " << kind << ", " << precision << " bits, pixel " << x << ' ' << y;
+              ASSERT_NEAR(share, 1, 0.01) << "kind " << kind << ", " << precision << " bits, pixel " << x << ' ' << y;
             } else if (edge < -reach) {
               ++dark;
-              // The plate is so far above the floor that the bias leaks less than the 2 percent that over-darkening takes.
+              // The plate is so far above the floor that the bias leaks less than the 2 percent that over-darkening
+              // takes.
               ASSERT_NEAR(share, 0, 0.002) << "kind " << kind << ", " << precision << " bits, pixel " << x << ' ' << y;
             } else if (share > 0.1 && share < 0.9) {
               ++between;
@@ -129,7 +132,7 @@ TEST_F(MomentShadow, EqualsPcfAwayFromTheEdge) {
               // Where light grazes, percentage-closer filtering at 256 texels shadows itself a little; moments do not.
               const double other = direct.share(pcf, pixel);
               apart += std::abs(share - other);
-              ASSERT_LT(std::abs(share - other), 0.1);
+              ASSERT_LT(std::abs(share - other), 0.04);
             }
           }
         EXPECT_LT(apart / (lit + dark), 2e-3) << "mean difference to pcf; kind " << kind;
@@ -179,8 +182,7 @@ TEST_F(MomentShadow, TheEdgeIsAsSoftAsTheGaussian) {
 TEST_F(MomentShadow, LeaksNoMoreLightThanTheBiasAllows) {
   // A low plate in the middle of a deep depth range, where the bias tells most: a mast reaches ten metres up and down.
   Scene open(0.15f, 0), plate(0.15f, 1), roofed(9, 7.9f);
-  for (Scene* scene : {&open, &plate, &roofed})
-    scene->level.quad({-7.5f, 0, -7.5f}, {0, 10, 0}, {0.05f, 0, 0}, 0);
+  for (Scene* scene : {&open, &plate, &roofed}) scene->level.quad({-7.5f, 0, -7.5f}, {0, 10, 0}, {0.05f, 0, 0}, 0);
   const scene::LightView light = sun({0, -1, 0}, 10);
   camera = lookAt({0, 0.05f, 3}, {0, 0, 0}, 0.5f);  // under the plate
   MomentReader reader(stage().device());
@@ -190,10 +192,12 @@ TEST_F(MomentShadow, LeaksNoMoreLightThanTheBiasAllows) {
   double leaks[2]{};
   for (const std::uint32_t precision : {64u, 128u}) {
     const Shot moments = shoot(plate, {light}, ShadowMode::kMoments, precision);
-    // One depth z, biased by alpha towards moments 0, t, 0, t: variance v = alpha (t + z^2) at most. Of a distribution with that
-    // variance at most v / (v + x^2) lies a distance x or more beyond its mean (Cantelli), over-darkening takes 2 percent off.
+    // One depth z, biased by alpha towards moments 0, t, 0, t: variance v = alpha (t + z^2) at most. Of a distribution
+    // with that variance at most v / (v + x^2) lies a distance x or more beyond its mean (Cantelli), over-darkening
+    // takes 2 percent off.
     const double alpha = precision == 64 ? 6e-5 : 1e-6, target = precision == 64 ? 0.628 : 0.375;
     int dark = 0;
+    double gaps = 0;
     for (std::uint32_t y = 0; y < kPicture; ++y)
       for (std::uint32_t x = 0; x < kPicture; ++x) {
         const std::size_t pixel = y * kPicture + x;
@@ -209,11 +213,14 @@ TEST_F(MomentShadow, LeaksNoMoreLightThanTheBiasAllows) {
         const double bound = std::max(0.0, 1 - (1 - v / (v + gap * gap)) / 0.98);
         const double share = direct.share(moments, pixel);
         ++dark;
+        gaps = std::max(gaps, gap);
         ASSERT_LT(share, bound + 0.01) << precision << " bits, gap " << gap;
         leaks[precision / 128] = std::max(leaks[precision / 128], share);
       }
     EXPECT_GT(dark, 200) << precision;
+    EXPECT_LT(gaps, 0.02) << "a contact shadow";
   }
+  std::printf("light that leaks: %.4f at 64 bits, %.4f at 128\n", leaks[0], leaks[1]);
   EXPECT_GT(leaks[0], 0.03) << "16 bits do leak here: the test looks where it should";
   EXPECT_LT(leaks[1], 0.005);
 }
