@@ -50,9 +50,14 @@ LIB Real chebyshevLagrange(int k, int count, Real x) {
   return weight;
 }
 
-// Coordinate in which the reference inclinations are spread, for a directional light: the weights depend on theta through
-// 1/sin(theta) only. Floored at 0.02 rad: below it the whole slice is nearer to the epipole than a pixel.
-LIB Real referenceCoordinate(Real theta) { return log(max(sin(theta), R(0.02))); }
+// Coordinate in which the reference inclinations are spread, for a directional light: log(1 + kappa cosecant(theta)), with kappa the
+// optical depth (> 0) of the widest row seen across the light. The weights depend on theta through its cosecant only; as long as kappa
+// times it is small they hardly change with it, and beyond they change with its logarithm. sin(theta) is floored at 0.02:
+// below it the whole slice is nearer to the epipole than a pixel.
+LIB Real cosecant(Real theta) { return R(1.0) / max(sin(theta), R(0.02)); }
+LIB Real referenceCoordinate(Real cosecant_, Real kappa) { return log(R(1.0) + kappa * cosecant_); }
+// Its inverse.
+LIB Real referenceCosecant(Real coordinate, Real kappa) { return (exp(coordinate) - R(1.0)) / kappa; }
 
 // Share that column u adds to the running normalised average of columns 0..u, for weights exp(-u x) (1 - exp(-x)):
 // w_u / sum_{j<=u} w_j, with x = sigma_t * column width / sin(theta) >= 0. For x = 0: 1/(u+1).

@@ -60,6 +60,15 @@ InclinationRange inclinationRange(const RayBlock& rays, const glm::vec3& towards
   return range;
 }
 
+void fillDepths(const RectificationInput& input, RectificationBlock& block) {
+  const InclinationRange range = inclinationRange(input.rays, input.towards);
+  const double guard = kDepthGuard * std::max(range.max - range.min, 1e-3);
+  block.depthLow = static_cast<float>(range.min - guard);
+  block.depthScale = static_cast<float>(1 / (range.max - range.min + 2 * guard));
+  block.depthPower = 1;
+  block.meanTheta = static_cast<float>((range.min + range.max) / 2);
+}
+
 Polygon fillFrame(const RectificationInput& input, const glm::dvec3& e1, RectificationBlock& block) {
   const glm::dvec3 axis(input.towards);
   const glm::dvec3 e2 = glm::cross(axis, e1);
@@ -82,7 +91,9 @@ Polygon fillFrame(const RectificationInput& input, const glm::dvec3& e1, Rectifi
   std::vector<glm::dvec2> casters;
   for (const glm::vec3& corner : input.casterCorners) casters.push_back(project(glm::dvec3(corner) - glm::dvec3(input.rays.eye)));
   const Polygon region = intersectConvex(convexHull(casters), convexHull(seen));
+  block.reach = 0;
   if (region.size() < 3 || area(region) <= 0) return {};
+  for (const glm::dvec2& corner : region) block.reach = std::max(block.reach, static_cast<float>(glm::length(corner)));
   block.polygonCount = static_cast<std::uint32_t>(std::min<std::size_t>(region.size(), kMaxPolygon));
   for (std::uint32_t i = 0; i < block.polygonCount; ++i) {
     const glm::dvec2 a = region[i];
@@ -200,13 +211,7 @@ RectificationBlock epipolarBlock(const RectificationInput& input) {
     if (block.edgeCount > 0) block.slicing = kSlicesByBorder;
   }
 
-  // Section 5.1.1: the range of theta is stretched by 10 % (a guard band against leaking at its ends).
-  const InclinationRange range = inclinationRange(input.rays, input.towards);
-  const double guard = 0.05 * std::max(range.max - range.min, 1e-3);
-  block.depthLow = static_cast<float>(range.min - guard);
-  block.depthScale = static_cast<float>(1 / (range.max - range.min + 2 * guard));
-  block.depthPower = 1;
-  block.meanTheta = static_cast<float>((range.min + range.max) / 2);
+  fillDepths(input, block);
   block.nearLit = 1;
   return block;
 }

@@ -39,6 +39,11 @@ struct InclinationRange {
 };
 InclinationRange inclinationRange(const RayBlock& rays, const glm::vec3& towards);
 
+/// Section 5.1.1: the range of depths is stretched by 10 %, half of it at each end, against leaking there.
+constexpr double kDepthGuard = 0.05;
+/// Range of the normalised depth and the mean inclination.
+void fillDepths(const RectificationInput& input, RectificationBlock& block);
+
 /// What both rectifications share once e1 is chosen: basis, the frustum's side planes and the region in which light can be
 /// blocked (as half-planes; its corners are returned, metres along e1 and e2 from the eye).
 Polygon fillFrame(const RectificationInput& input, const glm::dvec3& e1, RectificationBlock& block);

@@ -210,7 +210,7 @@ TEST(LinearFrame, ViewRaysAreRowsOfConstantDepth) {
       const double row = (y / x - block.sliceLow) / block.sliceStep / block.slices;
       EXPECT_GE(row, -1e-4) << seed;
       EXPECT_LE(row, 1 + 1e-4) << seed;
-      const double depth = (-glm::dot(d, glm::dvec3(s.input.towards)) / x - block.depthLow) * block.depthScale;
+      const double depth = (-glm::dot(d, glm::dvec3(s.input.towards)) / x - block.rasterLow) * block.rasterScale;
       EXPECT_GE(depth, -1e-4);
       EXPECT_LE(depth, 1 + 1e-4);
       for (std::uint32_t split = 0; split < block.splits; ++split) {
@@ -222,7 +222,7 @@ TEST(LinearFrame, ViewRaysAreRowsOfConstantDepth) {
         // Float matrices far from the origin: the tolerance follows the size of what is subtracted.
         const double tolerance = 2e-3 + 2e-5 * (glm::length(world) + 60) / clip.w;
         EXPECT_NEAR(clip.x / clip.w, 2 * row - 1, tolerance * (1 + 2 / (static_cast<double>(block.sliceStep) * block.slices))) << seed;
-        EXPECT_NEAR(clip.z / clip.w, depth, tolerance * (1 + block.depthScale)) << seed;
+        EXPECT_NEAR(clip.z / clip.w, depth, tolerance * (1 + block.rasterScale)) << seed;
         if (frame->block.inverse[split] < 2 * frame->block.inverse[split + 1]) continue;  // a thin split: ill-conditioned in float
         EXPECT_NEAR(clip.y / clip.w, 2 * share - 1, 10 * tolerance) << seed;
       }

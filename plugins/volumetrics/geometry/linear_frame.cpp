@@ -61,7 +61,7 @@ glm::mat4 clipMatrix(const RectificationInput& input, const RectificationBlock& 
   const std::array<glm::dvec3, 4> rows = {
       glm::dvec3(-2.0 * block.sliceLow / span - 1, 2 / span, 0),
       glm::dvec3(2 * nearInverse / (nearInverse - farInverse) - 1, 0, 0),
-      glm::dvec3(-static_cast<double>(block.depthLow) * block.depthScale, 0, -static_cast<double>(block.depthScale)),
+      glm::dvec3(-static_cast<double>(block.rasterLow) * block.rasterScale, 0, -static_cast<double>(block.rasterScale)),
       glm::dvec3(1, 0, 0)};
   const double constants[4] = {0, -2 / (nearInverse - farInverse), 0, 0};
   const glm::dvec3 e1(block.e1), e2(block.e2), axis(input.towards), eye(input.rays.eye);
@@ -108,12 +108,10 @@ std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uin
   block.slicing = kSlicesByTangent;
   block.sliceLow = static_cast<float>(tanMin);
   block.sliceStep = static_cast<float>(std::max(tanMax - tanMin, 1e-6) / input.slices);
-  const double guard = 0.05 * std::max(depthMax - depthMin, 1e-3);  // as the epipolar map's
-  block.depthLow = static_cast<float>(depthMin - guard);
-  block.depthScale = static_cast<float>(1 / (depthMax - depthMin + 2 * guard));
-  block.depthPower = 1;
-  const InclinationRange range = inclinationRange(input.rays, input.towards);
-  block.meanTheta = static_cast<float>((range.min + range.max) / 2);
+  const double guard = kDepthGuard * std::max(depthMax - depthMin, 1e-3);
+  block.rasterLow = static_cast<float>(depthMin - guard);
+  block.rasterScale = static_cast<float>(1 / (depthMax - depthMin + 2 * guard));
+  fillDepths(input, block);
 
   double first = 1e300, last = 0;
   for (const glm::dvec2& corner : region) {

@@ -45,8 +45,8 @@
   INT(epipole_block, "volumetrics.epipole_block", "Epipole block", 0, 0, 64, 0, 64, "pixels", 0,                         \
       "Radius of the block around the light on screen (and its antipode) in which rays are marched densely.")            \
   BOOL(near_correction, "volumetrics.near_correction", "Near correction", 0, 0, 0,                                       \
-       "Klehm's section 3.1, linear rectification: what lies before the camera's near plane is taken off, instead of sharing " \
-       "the row's average.")                                                                                             \
+       "Klehm's section 3.1, linear rectification: scattering before the camera's near plane, which the map does not hold, is taken " \
+       "off, instead of being as visible as the eye.")                                                                                             \
   BOOL(reuse, "volumetrics.reuse", "Reuse", 0, 0x2, 0, "Keep what has not changed since the last frame.")
 
 #endif

@@ -45,13 +45,14 @@ struct BorderEdge {
 };
 
 // How view rays become rows (see lib/epipolar.glsl). Epipolar: a column is a distance from the axis, spread per slice over
-// [first, last] of its Slice; depth is the inclination. Projective: columns are uniform in 1/x, x the distance along e1, depth is
-// the height over x (the cotangent of the inclination, over the cosine of the azimuth).
+// [first, last] of its Slice; depth is the inclination. Projective: columns are uniform in 1/x, x the distance along e1; stored is
+// the height over x (the cotangent of the inclination, over the cosine of the azimuth), which is turned into the inclination when read.
 struct RectificationBlock {
   vec3 e1, e2;             // unit, perpendicular to the light's direction
   int slicing;             // kSlicesBy...
   float sliceLow, sliceStep;  // azimuth (rad) or tangent of slice coordinate 0, and its change per slice
-  float depthLow, depthScale; // normalised depth = ((inclination, or minus height over x) - depthLow) * depthScale, guard band included
+  float depthLow, depthScale; // normalised depth = (inclination - depthLow) * depthScale, guard band included
+  float rasterLow, rasterScale; // projective: a stored depth is (minus height over x - rasterLow) * rasterScale
   float depthPower;        // warp: the normalised depth is raised to this power; 1 is none
   float meanTheta;         // mean of the extreme inclinations of the frustum, rad
   uint fullCircle;         // 1: slices wrap round (an epipole is on the screen)
@@ -62,6 +63,7 @@ struct RectificationBlock {
   uint nearLit;            // 1: what lies before the first column is known to be lit; 0: it is not in the map
   float inverse[5];        // projective: 1/x at the borders of the splits, 1/m, falling
   vec3 shadowAlong;        // change of shadow texel and depth per metre towards the light (x, y are 0)
+  float reach;             // greatest distance from the axis at which light can be blocked, m
   uint planeCount;         // side planes of the frustum in the basis (e1, e2, towards); inside: dot >= 0
   vec3 planes[4];
   uint polygonCount;       // half-planes dot(n, p) <= h of the region, around the axis, in which light rays can be blocked;

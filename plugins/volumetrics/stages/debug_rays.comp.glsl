@@ -26,6 +26,7 @@ layout(binding = 7) uniform sampler2DArray projective;
 
 #define TY_OWN_MAIN
 #include "stages/rays_on_rows.glsl"
+#include "stages/reference_rays.glsl"
 #include "stages/texel_depths.glsl"
 
 // Transmittance integral between two column coordinates at optical depth tau a metre of distance from the axis.
@@ -51,8 +52,7 @@ void main() {
   float lit[kReferenceRays];
   float all[kReferenceRays];
   for (int k = 0; k < kReferenceRays; ++k) {
-    float node = mix(s.nodeLow, s.nodeHigh, 0.5 + 0.5 * chebyshevNode(k, kReferenceRays));
-    tau[k] = frame.rectified.weights == 1 ? frame.rays.sigma_t * exp(-node) : 0.0;
+    tau[k] = referenceTau(s, k, kReferenceRays);
     lit[k] = 0.0;
     all[k] = 0.0;
   }
@@ -73,7 +73,7 @@ void main() {
     }
   }
   float own = ownAll > 0.0 ? ownLit / ownAll : 1.0;
-  float x = clamp((2.0 * referenceCoordinate(ray.theta) - s.nodeLow - s.nodeHigh) / max(s.nodeHigh - s.nodeLow, 1e-6), -1.0, 1.0);
+  float x = referencePlace(s.nodeLow, s.nodeHigh, cosecant(ray.theta));
   float interpolated = 0.0;
   for (int k = 0; k < kReferenceRays; ++k)
     interpolated += (kReferenceRays == 1 ? 1.0 : chebyshevLagrange(k, kReferenceRays, x)) * (all[k] > 0.0 ? lit[k] / all[k] : 1.0);

@@ -17,13 +17,13 @@ layout(binding = 2, scalar) readonly buffer Slices { Slice slices[]; };
 layout(binding = 3) uniform writeonly image2DArray weights;
 
 #include "stages/rows.glsl"
+#include "stages/reference_rays.glsl"
 
 void main() {
   ivec3 at = ivec3(gl_GlobalInvocationID);
   if (at.x >= int(light.map.slices) || at.y >= int(totalColumns())) return;
   Slice s = slices[at.x];
-  float node = mix(s.nodeLow, s.nodeHigh, 0.5 + 0.5 * chebyshevNode(at.z, kReferenceRays));
-  float tau = frame.rectified.weights == 1 ? frame.rays.sigma_t * exp(-node) : 0.0;
+  float tau = referenceTau(s, at.z, kReferenceRays);
   float total = transmittanceIntegral(tau, s.first, s.last);
   float own = transmittanceIntegral(tau, columnDistance(s, float(at.y)), columnDistance(s, float(at.y) + 1.0));
   imageStore(weights, at, vec4(total > 0.0 ? own / total * float(totalColumns()) : 0.0));

@@ -22,12 +22,12 @@ layout(binding = 5) uniform writeonly image2D bounds;
 
 #include "lib/average.glsl"
 #include "stages/rows.glsl"
+#include "stages/reference_rays.glsl"
 #include "stages/texel_depths.glsl"
 
 void basisAt(ivec2 at, float depth, int group, out vec4 v[kVectors]);
 void storePrefix(ivec2 at, int k, int group, vec4 v[kVectors]);
 
-const int kWeightsTransmittance = 1;
 const int kValues = kReferenceRays * kVectors;
 const int kRests = kCompensated ? kValues : 1;
 
@@ -91,8 +91,7 @@ void main() {
   float start = columnDistance(s, float(begin));
   float own = columnDistance(s, float(from));
   for (int k = 0; k < kReferenceRays; ++k) {
-    float node = mix(s.nodeLow, s.nodeHigh, 0.5 + 0.5 * chebyshevNode(k, kReferenceRays));
-    tau[k] = frame.rectified.weights == kWeightsTransmittance ? frame.rays.sigma_t * exp(-node) : 0.0;
+    tau[k] = referenceTau(s, k, kReferenceRays);
     power[k] = exp(-tau[k] * (own - start));
   }
   float total[kReferenceRays];

@@ -2,7 +2,7 @@
 // rays, none where the prefix bounds settle it. Needs the binding `bounds` and, from the technique:
 //   void visibilities(Place place, RowRay ray, out float v[kReferenceRays])   one for each reference ray, not yet clamped
 // Segments are joined with the weights of the ray's own inclination: exact, whatever the reference rays.
-const int kWeightsTransmittance = 1;
+#include "stages/reference_rays.glsl"
 const float kHalfStep = 0.5 / 65535.0;  // of 16-bit unorm
 const float kMipLevels = 4.0;           // of a prefix with mips
 
@@ -70,7 +70,7 @@ float segmentVisibility(RowRay ray, vec2 segment, float columnA, float columnB, 
   if (kReferenceRays == 1) return clamp(v[0], 0.0, 1.0);
   float low = mix(ray.b.s.nodeLow, ray.a.s.nodeLow, ray.a.weight);
   float high = mix(ray.b.s.nodeHigh, ray.a.s.nodeHigh, ray.a.weight);
-  float x = clamp((2.0 * referenceCoordinate(ray.theta) - low - high) / max(high - low, 1e-6), -1.0, 1.0);
+  float x = referencePlace(low, high, cosecant(ray.theta));
   float sum = 0.0;
   for (int k = 0; k < kReferenceRays; ++k) sum += chebyshevLagrange(k, kReferenceRays, x) * v[k];
   return clamp(sum, 0.0, 1.0);

@@ -32,10 +32,10 @@ const float kGaussianVariance = 2.25;
 const float kMipVariance = 0.25;
 const float kLeastWidth = 5.5;
 
-// Normalised depth at distance c from the axis, x along e1, of a blocker at a stored depth; `p` is the light ray's foot in the map.
-float blockerDepth(float c, float x, vec3 p, float stored) {
+// Normalised depth at distance c from the axis of a blocker at a stored depth; `p` is the light ray's foot in the map.
+float blockerDepth(float c, vec3 p, float stored) {
   // Height above the eye's plane, towards the light, at which the light ray reaches the stored depth.
-  return rectifiedDepth(c, x, (stored - p.z) / light.map.shadowAlong.z);
+  return rectifiedDepth(c, (stored - p.z) / light.map.shadowAlong.z);
 }
 
 // Mean of the stored moments over a texel's footprint, whose sides are `along` and `across` in shadow texels: samples along the longer
@@ -58,7 +58,6 @@ void main() {
   if (at.x >= light.map.slices || at.y >= light.map.columns) return;
   Slice s = slices[at.x];
   float c = columnDistance(s, float(at.y) + 0.5);
-  float x = c * s.direction.x;
   vec3 p = light.sun.shadowEye + c * s.shadowStep;
   vec4 result = vec4(1.0, 1.0, 0.0, 0.0);
   bool inside = all(greaterThanEqual(p.xy, vec2(0.0))) && all(lessThan(p.xy, vec2(light.sun.shadowSize)));
@@ -73,12 +72,12 @@ void main() {
       if (kQuantisedMoments) b = dequantise4(b);
       vec4 two = twoDepths(b);  // z1, z2, w1, w2: depths in [-1, 1], 1 where nothing was drawn
       vec2 stored = clamp(two.xy * 0.5 + 0.5, 0.0, 1.0);
-      float first = stored.x < kEmpty ? blockerDepth(c, x, p, stored.x) : 1.0;
-      float second = stored.y < kEmpty ? blockerDepth(c, x, p, stored.y) : 1.0;
+      float first = stored.x < kEmpty ? blockerDepth(c, p, stored.x) : 1.0;
+      float second = stored.y < kEmpty ? blockerDepth(c, p, stored.y) : 1.0;
       result = vec4(first, second, two.w, 0.0);
     } else {
       float stored = texelFetch(shadowMap, ivec3(ivec2(p.xy), 0), 0).x;
-      if (stored < 1.0) result.x = blockerDepth(c, x, p, stored);
+      if (stored < 1.0) result.x = blockerDepth(c, p, stored);
     }
   }
   imageStore(rectified, ivec3(at, 0), result);

@@ -30,16 +30,12 @@ vec2 sliceDirection(float at) {
   return normalize(edge.start + t * edge.delta);
 }
 
-// Normalised depth in [0, 1], growing away from the light, of a point at distance c from the axis, x along e1 and height h along the
-// axis; constant along a view ray, for which any point of it does.
-float rectifiedDepth(float c, float x, float h) {
-  float raw = light.map.slicing == kSlicesByTangent ? -h / x : inclination(c, h);
-  float depth = clamp((raw - light.map.depthLow) * light.map.depthScale, 0.0, 1.0);
+// Normalised depth in [0, 1], growing away from the light, of a point at distance c from the axis and height h along it; constant
+// along a view ray, for which any point of it does.
+float rectifiedDepth(float c, float h) {
+  float depth = clamp((inclination(c, h) - light.map.depthLow) * light.map.depthScale, 0.0, 1.0);
   return light.map.depthPower == 1.0 ? depth : pow(depth, light.map.depthPower);
 }
-
-// The same warp for depths rasterised by the projective matrix, which are not warped yet.
-float warpedDepth(float depth) { return light.map.depthPower == 1.0 ? depth : pow(depth, light.map.depthPower); }
 
 uint totalColumns() { return light.map.columns * light.map.splits; }
 

@@ -18,6 +18,7 @@ layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
 layout(binding = 2, scalar) buffer Slices { Slice slices[]; };
 
 #include "stages/rows.glsl"
+#include "stages/reference_rays.glsl"
 
 const int kBisectrix = 0, kMean = 2;
 const float kMostLookBack = 8.0;
@@ -58,14 +59,17 @@ void main() {
     if (cut.y >= cut.x) theta = vec2(min(theta.x, cut.x), max(theta.y, cut.y));
   }
   if (theta.y < theta.x) theta = vec2(light.map.meanTheta);  // a slice that no pixel falls into
-  float atLow = referenceCoordinate(theta.x);
-  float atHigh = referenceCoordinate(theta.y);
+  float kappa = referenceKappa();
+  float atLow = cosecant(theta.x);
+  float atHigh = cosecant(theta.y);
   bool straddles = theta.x < 0.5 * kPi && theta.y > 0.5 * kPi;
-  vec2 nodes = vec2(min(atLow, atHigh), straddles ? 0.0 : max(atLow, atHigh));
+  vec2 ends = vec2(straddles ? 1.0 : min(atLow, atHigh), max(atLow, atHigh));
   if (kReferenceRays == 1) {
-    if (frame.rectified.reference_ray == kBisectrix) nodes = vec2(referenceCoordinate(0.5 * (theta.x + theta.y)));
-    if (frame.rectified.reference_ray == kMean) nodes = vec2(referenceCoordinate(light.map.meanTheta));
+    ends = vec2(frame.rectified.reference_ray == kBisectrix ? cosecant(0.5 * (theta.x + theta.y))
+                : frame.rectified.reference_ray == kMean    ? cosecant(light.map.meanTheta)
+                                                            : sqrt(ends.x * ends.y));  // Klehm et al. 2014, section 3.2
   }
+  vec2 nodes = vec2(referenceCoordinate(ends.x, kappa), referenceCoordinate(ends.y, kappa));
   record.nodeLow = nodes.x;
   record.nodeHigh = nodes.y;
 

@@ -5,7 +5,10 @@
 vec3 texelDepths(ivec2 at) {
   if (light.map.slicing == kSlicesByTangent) {
     int columns = int(light.map.columns);
-    float depth = warpedDepth(texelFetch(projective, ivec3(at.x, at.y % columns, at.y / columns), 0).x);
+    float stored = texelFetch(projective, ivec3(at.x, at.y % columns, at.y / columns), 0).x;
+    vec2 direction = sliceDirection(float(at.x) + 0.5);
+    // What is clamped to 0 lies nearer to the light than every view ray of the slice, and stays so.
+    float depth = stored < 1.0 ? rectifiedDepth(1.0, -direction.x * (stored / light.map.rasterScale + light.map.rasterLow)) : 1.0;
     return vec3(depth, depth, 0.0);
   }
   vec4 texel = texelFetch(rectified, ivec3(at, 0), 0);
