@@ -30,7 +30,7 @@ std::vector<std::string> groupsOf(const params::Table& table) {
 /// Whether a change of the parameter can change the picture now.
 bool isRead(const app::Catalogue& catalogue, const params::Parameter& parameter) {
   const params::Table& table = catalogue.table();
-  if (parameter.id == "shadows.precision") return params::toText(*table.find("shadows.mode"), table.value("shadows.mode")) == "moments";
+  if (parameter.id == "shadows.precision") return catalogue.readsShadowMoments();
   if (parameter.owner == "engine") return true;
   const host::Plugin& plugin = catalogue.effectPlugin();
   if (parameter.owner != plugin.id()) return false;

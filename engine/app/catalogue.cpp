@@ -67,6 +67,15 @@ const host::TechniqueInfo* Catalogue::technique() const {
   return nullptr;
 }
 
+bool Catalogue::readsShadowMoments() const {
+  if (params::toText(*table_.find("shadows.mode"), table_.value("shadows.mode")) == "moments") return true;
+  const std::string& plugin = effectPlugin().id();
+  const host::TechniqueInfo* chosen = technique();
+  if (!chosen || (table_.find(plugin + ".enabled") && table_.value(plugin + ".enabled") == 0)) return false;
+  const std::string filtered = plugin + ".filtered_resampling";
+  return contains(chosen->reads, filtered) && table_.value(filtered) != 0;
+}
+
 std::vector<std::string> Catalogue::unusedSettings() const {
   const host::Plugin& plugin = effectPlugin();
   const host::TechniqueInfo* chosen = technique();
@@ -77,8 +86,7 @@ std::vector<std::string> Catalogue::unusedSettings() const {
     const params::Parameter& parameter = *table_.find(id);
     if (parameter.owner == "engine") {
       // The engine reads all of its own, but for the precision of moment shadow maps where there are none.
-      if (id == "shadows.precision" && params::toText(*table_.find("shadows.mode"), table_.value("shadows.mode")) != "moments")
-        unused.push_back(id);
+      if (id == "shadows.precision" && !readsShadowMoments()) unused.push_back(id);
       continue;
     }
     if (parameter.owner != plugin.id()) {

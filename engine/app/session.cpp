@@ -56,6 +56,11 @@ Result<render::FrameOutput> Session::buildFrame(render::Graph& graph, const Fram
   input.reset = request.reset || cut_ || size != lastSize_;
   input.settings.exposure = static_cast<float>(table().value("view.exposure"));
   input.settings.shadowResolution = static_cast<std::uint32_t>(table().value("shadows.resolution"));
+  input.settings.shadowMode = params::toText(*table().find("shadows.mode"), table().value("shadows.mode")) == "moments"
+                                  ? render::ShadowMode::kMoments
+                                  : render::ShadowMode::kPcf;
+  input.settings.shadowPrecision =
+      params::toText(*table().find("shadows.precision"), table().value("shadows.precision")) == "128" ? 128 : 64;
   input.settings.debugView = request.debugView;
   input.effect = effect_.get();
   auto output = renderer_->addFrame(graph, input);

@@ -28,7 +28,8 @@ struct FrameRefs {
   std::vector<render::BufferRef> buffers;
   std::vector<bool> imageHasContents;  ///< false: no pass of this frame writes it
   render::ImageRef output, depth;
-  std::vector<render::ImageRef> shadowMaps;  ///< of each light
+  std::vector<render::ImageRef> shadowMaps;     ///< of each light
+  std::vector<render::ImageRef> shadowMoments;  ///< the same; empty refs where the renderer makes none
   /// Which of the layout's runs the graph recorded: it drops those whose results nobody reads. Filled while it records.
   std::shared_ptr<std::vector<bool>> recorded;
 };

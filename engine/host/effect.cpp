@@ -65,9 +65,10 @@ render::Effect::DebugImage PluginEffect::debugImage(const std::string& name) {
       image.image = s.refs->output;
     else if (view.d.source == TY_SOURCE_IMAGE && s.refs->imageHasContents[view.d.index])
       image.image = s.refs->images[view.d.index];
-    else if (view.d.source == TY_SOURCE_SHADOW_MAP && view.d.index < s.refs->shadowMaps.size() &&
+    else if (view.d.source != TY_SOURCE_IMAGE && view.d.index < s.refs->shadowMaps.size() &&
              view.d.layer < (s.built->structure.lightKinds[view.d.index] == TY_LIGHT_POINT ? 6u : 1u))
-      image.image = s.refs->shadowMaps[view.d.index];
+      image.image = view.d.source == TY_SOURCE_SHADOW_MAP ? s.refs->shadowMaps[view.d.index]
+                                                          : s.refs->shadowMoments[view.d.index];
     return image;
   }
   return {};
@@ -86,6 +87,7 @@ std::vector<PluginDebugView> PluginEffect::debugViews() const {
   structure.height = 720;
   structure.lightKinds = {TY_LIGHT_DIRECTIONAL};
   structure.shadowSizes = {2048};
+  structure.shadowMoments = TY_FORMAT_RGBA16_UNORM;
   for (const params::Parameter& p : s.plugin.parameters()) {
     structure.values.push_back(s.table.value(p.id));
     structure.structural.push_back(p.structural);

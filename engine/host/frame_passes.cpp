@@ -32,6 +32,7 @@ struct Run {
       case TY_SOURCE_IMAGE: return refs->images[index];
       case TY_SOURCE_SCENE_DEPTH: return refs->depth;
       case TY_SOURCE_SHADOW_MAP: return refs->shadowMaps[light];
+      case TY_SOURCE_SHADOW_MOMENTS: return refs->shadowMoments[light];
       default: return refs->output;
     }
   }
@@ -152,7 +153,10 @@ std::shared_ptr<FrameRefs> declare(const render::EffectInput& input, Built& buil
   const Layout& layout = built.layout;
   refs->depth = input.depth;
   refs->recorded = std::make_shared<std::vector<bool>>(built.runs.size());
-  for (const render::ShadowedLight& light : input.lights) refs->shadowMaps.push_back(light.shadowMap);
+  for (const render::ShadowedLight& light : input.lights) {
+    refs->shadowMaps.push_back(light.shadowMap);
+    refs->shadowMoments.push_back(light.moments);
+  }
   const VkImageLayout before = built.resources.historyCleared ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_UNDEFINED;
   for (std::size_t i = 0; i < layout.images.size(); ++i) {
     const bool history = isHistory(layout.images[i]);

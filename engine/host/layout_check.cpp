@@ -84,10 +84,10 @@ class Checker {
         if (image.kind == TY_IMAGE_3D || isInteger(image.format))
           return bad("shows a 3D or integer image; show a 2D one of another format");
         if (v.d.mip >= image.mips || v.d.layer >= image.depth) return bad("its mip or layer is out of range");
-      } else if (v.d.source == TY_SOURCE_SHADOW_MAP) {
+      } else if (v.d.source == TY_SOURCE_SHADOW_MAP || v.d.source == TY_SOURCE_SHADOW_MOMENTS) {
         if (v.d.mip != 0 || v.d.layer >= 6) return bad("its mip or layer is out of range");
       } else if (v.d.source != TY_SOURCE_OUTPUT || v.d.index != 0 || v.d.mip != 0 || v.d.layer != 0) {
-        return bad("its source is an image, a shadow map or the output");
+        return bad("its source is an image, a shadow map, a moment shadow map or the output");
       }
     }
     return {};
@@ -145,7 +145,8 @@ class Checker {
       if (!uses) return uses.error();
       for (const PassUse& use : uses.value()) {
         const auto source = use.resource.source;
-        if (source == TY_SOURCE_SCENE_DEPTH || source == TY_SOURCE_SHADOW_MAP) continue;
+        if (source == TY_SOURCE_SCENE_DEPTH || source == TY_SOURCE_SHADOW_MAP || source == TY_SOURCE_SHADOW_MOMENTS)
+          continue;
         const Text name = source == TY_SOURCE_OUTPUT  ? Text("the output")
                           : source == TY_SOURCE_IMAGE ? "image '" + l_.images[use.resource.index].name + "'"
                                                       : "buffer '" + l_.buffers[use.resource.index].name + "'";

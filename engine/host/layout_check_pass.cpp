@@ -99,6 +99,14 @@ class PassChecker {
         break;
       }
       case TY_SOURCE_OUTPUT: format = TY_FORMAT_RGBA32_FLOAT; break;
+      case TY_SOURCE_SHADOW_MOMENTS:
+        if (context_.shadowMoments == TY_FORMAT_UNKNOWN)
+          return failed("takes a moment shadow map, which this renderer does not make (shadow_moments_format)");
+        if (b.access != TY_ACCESS_SAMPLED) return failed("stores to or loads from a moment shadow map; sample it");
+        if (b.base_mip != 0 || b.mip_count != 0)
+          return failed("takes some mips of a moment shadow map; bind all of it");
+        format = context_.shadowMoments;
+        [[fallthrough]];
       case TY_SOURCE_SHADOW_MAP:
         if (!p.d.per_light) return failed("takes a shadow map in a pass that is not per light");
         layers = TY_NONE;  // 1 or 6, by the light: only the whole array can be bound

@@ -102,7 +102,7 @@ gpu::ViewDesc viewOf(const Layout& layout, const TyBinding& binding) {
   gpu::ViewDesc view{binding.base_mip, binding.mip_count, binding.base_layer, binding.layer_count, false};
   // A storage descriptor reaches one mip.
   if (binding.access != TY_ACCESS_SAMPLED) view.mipCount = 1;
-  view.array = binding.source == TY_SOURCE_SHADOW_MAP ||
+  view.array = binding.source == TY_SOURCE_SHADOW_MAP || binding.source == TY_SOURCE_SHADOW_MOMENTS ||
                (binding.source == TY_SOURCE_IMAGE && layout.images[binding.index].d.kind == TY_IMAGE_2D_ARRAY);
   return view;
 }

@@ -24,17 +24,33 @@ TyStructure Structure::abi() const {
   s.shadow_sizes = shadowSizes.data();
   s.values = values.data();
   s.value_count = static_cast<std::uint32_t>(values.size());
+  s.shadow_moments_format = shadowMoments;
   return s;
 }
 
 bool Structure::sameLayout(const Structure& other) const {
   if (width != other.width || height != other.height || lightKinds != other.lightKinds ||
-      shadowSizes != other.shadowSizes || values.size() != other.values.size())
+      shadowSizes != other.shadowSizes || shadowMoments != other.shadowMoments || values.size() != other.values.size())
     return false;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (structural[i] && values[i] != other.values[i]) return false;
   return true;
 }
+
+namespace {
+
+/// All lights' maps are of one kind; if one had none, a pass that reads them could not run for it.
+std::uint32_t shadowMomentsOf(const render::EffectInput& input) {
+  std::uint32_t format = TY_FORMAT_UNKNOWN;
+  for (const render::ShadowedLight& light : input.lights) {
+    if (!light.moments) return TY_FORMAT_UNKNOWN;
+    format = input.graph.desc(light.moments).format == VK_FORMAT_R16G16B16A16_UNORM ? TY_FORMAT_RGBA16_UNORM
+                                                                                    : TY_FORMAT_RGBA32_FLOAT;
+  }
+  return format;
+}
+
+}  // namespace
 
 Structure makeStructure(const render::EffectInput& input, const std::vector<params::Parameter>& parameters,
                         const params::Table& table) {
@@ -45,6 +61,7 @@ Structure makeStructure(const render::EffectInput& input, const std::vector<para
     s.lightKinds.push_back(lightKind(light.light.light.kind));
     s.shadowSizes.push_back(light.size);
   }
+  s.shadowMoments = shadowMomentsOf(input);
   for (const params::Parameter& p : parameters) {
     s.values.push_back(table.value(p.id));
     s.structural.push_back(p.structural);

@@ -15,12 +15,13 @@ namespace tyndall::host {
 struct Structure {
   std::uint32_t width = 1, height = 1;
   std::vector<std::uint32_t> lightKinds, shadowSizes;
-  std::vector<double> values;  ///< of every parameter
+  std::uint32_t shadowMoments = TY_FORMAT_UNKNOWN;  ///< TyFormat
+  std::vector<double> values;                       ///< of every parameter
   std::vector<bool> structural;
 
   TyStructure abi() const;  ///< points into this
   LayoutContext context() const {
-    return {width, height, lightKinds, static_cast<std::uint32_t>(values.size()), structural};
+    return {width, height, lightKinds, static_cast<std::uint32_t>(values.size()), structural, shadowMoments};
   }
   /// The same layout is due: equal but for values that are not structural.
   bool sameLayout(const Structure& other) const;

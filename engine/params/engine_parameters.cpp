@@ -7,10 +7,12 @@ std::vector<Parameter> engineParameters() {
   Parameter mode;
   mode.id = "shadows.mode";
   mode.name = "Shadow filtering";
-  mode.doc = "How shadow maps are filtered when surfaces are lit.";
+  mode.doc =
+      "How shadow maps are filtered when surfaces are lit: pcf averages comparisons of 3x3 texels, moments reads a blurred map of "
+      "four moments, whose shadows have softer edges and do not flicker in the distance.";
   mode.type = Type::kEnum;
   mode.choices = {"pcf", "moments", "soft", "variance", "exponential_variance"};
-  mode.built = {true, false, false, false, false};
+  mode.built = {true, true, false, false, false};
 
   Parameter resolution;
   resolution.id = "shadows.resolution";
@@ -29,7 +31,7 @@ std::vector<Parameter> engineParameters() {
   precision.id = "shadows.precision";
   precision.name = "Moment precision";
   precision.unit = "bit";
-  precision.doc = "Bits per texel of moment shadow maps; read by shadows.mode = moments only.";
+  precision.doc = "Bits per texel of moment shadow maps; read by shadows.mode = moments and by volumetrics.filtered_resampling.";
   precision.type = Type::kEnum;
   precision.choices = {"64", "128"};
 

@@ -46,6 +46,12 @@ FrameSamplers makeSamplers(gpu::Device& device) {
   info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;
   info.borderColor = VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE;
   samplers.borderLit = device.sampler(info);
+  info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  info.magFilter = info.minFilter = VK_FILTER_LINEAR;
+  samplers.linear = device.sampler(info);
+  info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+  info.maxLod = VK_LOD_CLAMP_NONE;
+  samplers.trilinear = device.sampler(info);
   return samplers;
 }
 

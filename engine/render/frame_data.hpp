@@ -42,12 +42,20 @@ struct FrameData {
   glm::mat4 clipFromWorld{1};
   DrawList draws;
   LightPlan plan;
-  std::vector<ImageRef> shadowMaps;           ///< by plan.shadowed
-  std::vector<ShadowedLight> shadowedLights;  ///< in file order, for effects
+  std::vector<ImageRef> shadowMaps;  ///< by plan.shadowed
+  std::vector<ImageRef> momentMaps;  ///< the same; empty refs where momentFormat is undefined
+  VkFormat momentFormat = VK_FORMAT_UNDEFINED;
+  ShadowMaps surfaceMaps = ShadowMaps::kDepths;  ///< what surfaces read
+  std::vector<ShadowedLight> shadowedLights;     ///< in file order, for effects
   std::shared_ptr<const SceneResources> resources;
   BlockRange viewBlock, lightBlocks, instanceBlocks;
 
   ImageRef base, normal, emissive, depth, color;
+
+  /// What surfaces read of plan.shadowed[index].
+  ImageRef surfaceMap(std::uint32_t index) const {
+    return surfaceMaps == ShadowMaps::kDepths ? shadowMaps[index] : momentMaps[index];
+  }
 };
 using FramePointer = std::shared_ptr<const FrameData>;
 
@@ -55,6 +63,8 @@ using FramePointer = std::shared_ptr<const FrameData>;
 struct FrameSamplers {
   VkSampler texel = VK_NULL_HANDLE;      ///< nearest, clamped: targets read by texelFetch, cube faces
   VkSampler borderLit = VK_NULL_HANDLE;  ///< nearest, 1 outside: maps outside of which everything is lit
+  VkSampler linear = VK_NULL_HANDLE;     ///< linear in one mip, clamped
+  VkSampler trilinear = VK_NULL_HANDLE;  ///< trilinear, clamped: moment shadow maps
 };
 FrameSamplers makeSamplers(gpu::Device& device);
 

@@ -10,8 +10,6 @@ namespace tyndall::render {
 
 namespace {
 
-constexpr double kBytesPerTexel = 4;  // D32
-
 std::string label(const std::vector<scene::LightView>& lights, std::uint32_t index) {
   const std::string& name = lights[index].light.name;
   return "light " + std::to_string(index) + (name.empty() ? "" : " '" + name + "'");
@@ -42,7 +40,7 @@ shared::LightBlock makeBlock(const scene::LightView& view, const ShadowFit& fit,
   block.core.spotOffset = -cosOuter * block.core.spotScale;
   block.texelSize = static_cast<float>(fit.texelSize);
   block.shadowSize = static_cast<float>(shadowSize);
-  block.faceCount = fit.faceCount;
+  block.depthCurve = fit.depthCurve;
   std::copy(fit.clipFromWorld.begin(), fit.clipFromWorld.end(), block.clipFromWorld);
   return block;
 }
@@ -50,7 +48,7 @@ shared::LightBlock makeBlock(const scene::LightView& view, const ShadowFit& fit,
 }  // namespace
 
 LightPlan planLights(const View& view, const std::vector<scene::LightView>& lights, const scene::Bounds& casters,
-                     std::uint32_t shadowSize, std::uint64_t budgetBytes) {
+                     std::uint32_t shadowSize, std::uint64_t budgetBytes, double texelBytes) {
   LightPlan plan;
   std::vector<std::uint32_t> order(lights.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -62,7 +60,7 @@ LightPlan planLights(const View& view, const std::vector<scene::LightView>& ligh
   });
 
   double used = 0;
-  const double face = kBytesPerTexel * shadowSize * shadowSize;
+  const double face = texelBytes * shadowSize * shadowSize;
   for (const std::uint32_t index : order) {
     const double bytes = face * (lights[index].light.kind == scene::LightKind::kPoint ? 6 : 1);
     if (used + bytes > static_cast<double>(budgetBytes)) {

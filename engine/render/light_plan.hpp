@@ -13,6 +13,8 @@ namespace tyndall::render {
 
 /// Memory that all shadow maps of a frame may take together.
 inline constexpr std::uint64_t kShadowBudgetBytes = 1ull << 30;
+/// Of one texel of a shadow map (D32).
+inline constexpr double kDepthTexelBytes = 4;
 /// Shadow maps that one lighting pass reads.
 using shared::kShadowSlots;
 
@@ -30,8 +32,10 @@ struct LightPlan {
   std::vector<shared::LightBlock> blocks;
 };
 
+/// `texelBytes`: what a light's maps take for each texel, all of them together.
 LightPlan planLights(const View& view, const std::vector<scene::LightView>& lights, const scene::Bounds& casters,
-                     std::uint32_t shadowSize, std::uint64_t budgetBytes = kShadowBudgetBytes);
+                     std::uint32_t shadowSize, std::uint64_t budgetBytes = kShadowBudgetBytes,
+                     double texelBytes = kDepthTexelBytes);
 
 /// Pixels a light can reach: the whole view unless it has a range and the sphere of that range lies before the eye.
 struct PixelRect {

@@ -21,7 +21,7 @@ void declare(Graph& graph, const PassTools& tools, FramePointer frame, const gpu
   for (const ImageRef image : {frame->base, frame->normal, frame->emissive, frame->depth})
     pass.use(image, Use::kSampledGraphics);
   for (std::uint32_t i = 0; i < batch.shadowedCount; ++i) {
-    pass.use(frame->shadowMaps[batch.firstShadowed + i], Use::kSampledGraphics);
+    pass.use(frame->surfaceMap(batch.firstShadowed + i), Use::kSampledGraphics);
   }
   pass.use(frame->color, batch.base() ? Use::kColorWrite : Use::kColorReadWrite);
   pass.run([frame, tools, &pipeline, batch](PassContext& context) {
@@ -66,7 +66,8 @@ Result<void> addLightingPasses(Graph& graph, const PassTools& tools, const std::
       }
     }
     if (batch.rect.empty()) continue;
-    Result<const gpu::Pipeline*> pipeline = tools.pipelines.get(lightingRecipe(batch.base(), batch.shadowedCount));
+    Result<const gpu::Pipeline*> pipeline =
+        tools.pipelines.get(lightingRecipe(batch.base(), batch.shadowedCount, frame->surfaceMaps));
     if (!pipeline) return pipeline.error();
     declare(graph, tools, frame, **pipeline, batch);
   }

@@ -8,10 +8,11 @@ namespace tyndall::render {
 namespace {
 
 ShadowedLight describe(const FrameData& frame, const scene::LightView& light, const ShadowFit& fit, ImageRef map,
-                       std::uint32_t size) {
+                       ImageRef moments, std::uint32_t size) {
   ShadowedLight out;
   out.light = light;
   out.shadowMap = map;
+  out.moments = moments;
   out.faceCount = fit.faceCount;
   out.size = size;
   out.clipFromWorld = fit.clipFromWorld;
@@ -34,7 +35,6 @@ Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::sh
     desc.layers = light.fit.faceCount;
     const ImageRef map = graph.image(desc);
     frame->shadowMaps.push_back(map);
-    inFileOrder.emplace_back(light.source, describe(*frame, lights[light.source], light.fit, map, size));
 
     graph.pass("shadow " + std::to_string(light.source))
         .use(map, Use::kDepthWrite)
@@ -48,6 +48,15 @@ Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::sh
             context.endRendering();
           }
         });
+
+    ImageRef moments;
+    if (frame->momentFormat != VK_FORMAT_UNDEFINED) {
+      const Result<ImageRef> made = addMomentPasses(graph, tools, *frame, light, map);
+      if (!made) return made.error();
+      moments = *made;
+    }
+    frame->momentMaps.push_back(moments);
+    inFileOrder.emplace_back(light.source, describe(*frame, lights[light.source], light.fit, map, moments, size));
   }
   std::sort(inFileOrder.begin(), inFileOrder.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto& [index, light] : inFileOrder) frame->shadowedLights.push_back(std::move(light));
@@ -68,10 +77,14 @@ void bindLights(PassContext& context, const PassTools& tools, const FrameData& f
     }
     gpu::ViewDesc whole;
     whole.array = true;
+    const VkImageView map = context.view(frame.surfaceMap(first + slot), whole);
+    if (frame.surfaceMaps != ShadowMaps::kDepths) {
+      descriptors.sampled(bindings.firstMap + slot, map, tools.samplers.trilinear);
+      continue;
+    }
     // Beyond a sun's or a spot's map everything is lit; a cube's neighbouring face is better guessed by the edge.
     const bool cube = frame.plan.shadowed[first + slot].fit.faceCount > 1;
-    descriptors.sampled(bindings.firstMap + slot, context.view(frame.shadowMaps[first + slot], whole),
-                        cube ? tools.samplers.texel : tools.samplers.borderLit);
+    descriptors.sampled(bindings.firstMap + slot, map, cube ? tools.samplers.texel : tools.samplers.borderLit);
   }
 }
 

@@ -20,12 +20,13 @@ Result<void> addTransparentPass(Graph& graph, const PassTools& tools, const std:
     frame->plan.notes.push_back("alpha-blended surfaces: shadowed by the " + std::to_string(kShadowSlots) +
                                 " most important lights only, of " + std::to_string(shadowed) + " with shadow maps");
   }
-  Result<DrawPipelines> pipelines = pipelinesOf(
-      tools.pipelines, draws, [&](const Draw& draw) { return transparentRecipe(draw.facing, draw.textures, slots); });
+  Result<DrawPipelines> pipelines = pipelinesOf(tools.pipelines, draws, [&](const Draw& draw) {
+    return transparentRecipe(draw.facing, draw.textures, slots, frame->surfaceMaps);
+  });
   if (!pipelines) return pipelines.error();
   Graph::Pass pass = graph.pass("transparent");
   pass.use(frame->color, Use::kColorReadWrite).use(frame->depth, Use::kDepthRead);
-  for (std::uint32_t i = 0; i < slots; ++i) pass.use(frame->shadowMaps[i], Use::kSampledGraphics);
+  for (std::uint32_t i = 0; i < slots; ++i) pass.use(frame->surfaceMap(i), Use::kSampledGraphics);
   pass.run([frame = FramePointer(frame), tools, pipelines = pipelines.take(), slots, others](PassContext& context) {
     PassContext::DepthAttachment depth{frame->depth};
     depth.readOnly = true;

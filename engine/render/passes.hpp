@@ -18,9 +18,15 @@ struct PassTools {
   VkImageView unusedMap = VK_NULL_HANDLE;  ///< a 1x1 array view for shadow slots without a light
 };
 
-/// One pass per light with a map (all faces), clearing it and drawing the casters. Fills frame.shadowMaps.
+/// One pass per light with a map (all faces), clearing it and drawing the casters, and those of its moment map. Fills
+/// frame.shadowMaps and frame.momentMaps.
 Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame,
                              const std::vector<scene::LightView>& lights, std::uint32_t size);
+
+/// Passes that make a light's four-moment shadow map: its Gaussian along rows and columns, then its mips. The graph drops
+/// them where nobody reads the result. frame.momentFormat must be set.
+Result<ImageRef> addMomentPasses(Graph& graph, const PassTools& tools, const FrameData& frame,
+                                 const PlannedLight& light, ImageRef shadowMap);
 
 /// Base colour, normal, emission, depth. `clear`: texels that nothing covers are 0 instead of undefined (debug views).
 Result<void> addGBufferPass(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame, bool clear);

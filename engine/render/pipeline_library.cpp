@@ -17,24 +17,43 @@ Result<gpu::Pipeline> PipelineLibrary::make(const Recipe& recipe) {
   return gpu::createPipeline(device_, desc);
 }
 
-Result<const gpu::Pipeline*> PipelineLibrary::get(const Recipe& recipe) {
-  const auto known = entries_.find(recipe.desc.name);
-  if (known != entries_.end()) return &known->second.pipeline;
-  Result<gpu::Pipeline> made = make(recipe);
-  if (!made) return made.error();
-  return &entries_.emplace(recipe.desc.name, Entry{recipe, made.take()}).first->second.pipeline;
+Result<gpu::Pipeline> PipelineLibrary::make(const ComputeRecipe& recipe) {
+  gpu::ComputePipelineDesc desc = recipe.desc;
+  Result<std::shared_ptr<const gpu::Shader>> shader = shaders_.get(recipe.shader);
+  if (!shader) return shader.error();
+  desc.shader = *shader;
+  return gpu::createPipeline(device_, desc);
 }
 
-std::vector<std::string> PipelineLibrary::reload() {
-  const gpu::ShaderFolder::Reload reloaded = shaders_.reloadChanged();
-  std::vector<std::string> lines;
-  for (const std::string& name : reloaded.changed) lines.push_back(name + ": reloaded");
-  for (const Error& error : reloaded.errors) lines.push_back(error.message);
-  const auto changed = [&](const std::string& name) {
-    return std::find(reloaded.changed.begin(), reloaded.changed.end(), name) != reloaded.changed.end();
-  };
-  for (auto& [name, entry] : entries_) {
-    if (!changed(entry.recipe.vertex) && !changed(entry.recipe.fragment)) continue;
+template <class R>
+Result<const gpu::Pipeline*> PipelineLibrary::find(Entries<R>& entries, const R& recipe) {
+  const auto known = entries.find(recipe.desc.name);
+  if (known != entries.end()) return &known->second.pipeline;
+  Result<gpu::Pipeline> made = make(recipe);
+  if (!made) return made.error();
+  return &entries.emplace(recipe.desc.name, Entry<R>{recipe, made.take()}).first->second.pipeline;
+}
+
+Result<const gpu::Pipeline*> PipelineLibrary::get(const Recipe& recipe) { return find(graphics_, recipe); }
+Result<const gpu::Pipeline*> PipelineLibrary::get(const ComputeRecipe& recipe) { return find(compute_, recipe); }
+
+namespace {
+
+bool usesAny(const Recipe& recipe, const std::vector<std::string>& shaders) {
+  return std::find(shaders.begin(), shaders.end(), recipe.vertex) != shaders.end() ||
+         std::find(shaders.begin(), shaders.end(), recipe.fragment) != shaders.end();
+}
+bool usesAny(const ComputeRecipe& recipe, const std::vector<std::string>& shaders) {
+  return std::find(shaders.begin(), shaders.end(), recipe.shader) != shaders.end();
+}
+
+}  // namespace
+
+template <class R>
+void PipelineLibrary::remake(Entries<R>& entries, const std::vector<std::string>& changed,
+                             std::vector<std::string>& lines) {
+  for (auto& [name, entry] : entries) {
+    if (!usesAny(entry.recipe, changed)) continue;
     Result<gpu::Pipeline> made = make(entry.recipe);
     if (made) {
       entry.pipeline = made.take();
@@ -42,6 +61,15 @@ std::vector<std::string> PipelineLibrary::reload() {
       lines.push_back(made.error().message);
     }
   }
+}
+
+std::vector<std::string> PipelineLibrary::reload() {
+  const gpu::ShaderFolder::Reload reloaded = shaders_.reloadChanged();
+  std::vector<std::string> lines;
+  for (const std::string& name : reloaded.changed) lines.push_back(name + ": reloaded");
+  for (const Error& error : reloaded.errors) lines.push_back(error.message);
+  remake(graphics_, reloaded.changed, lines);
+  remake(compute_, reloaded.changed, lines);
   return lines;
 }
 

@@ -18,6 +18,12 @@ struct Recipe {
   std::string vertex, fragment;  ///< "gbuffer.frag"; fragment may be empty
 };
 
+/// The same for a compute pipeline. Its names are apart from those of graphics pipelines.
+struct ComputeRecipe {
+  gpu::ComputePipelineDesc desc;
+  std::string shader;  ///< "moments_blur.comp"
+};
+
 class PipelineLibrary {
  public:
   PipelineLibrary(gpu::Device& device, const std::filesystem::path& shaderFolder)
@@ -25,6 +31,7 @@ class PipelineLibrary {
 
   /// The pointer stays good for the library's life; reload() swaps what it points to.
   Result<const gpu::Pipeline*> get(const Recipe& recipe);
+  Result<const gpu::Pipeline*> get(const ComputeRecipe& recipe);
 
   /// Recompiles changed shaders and rebuilds the pipelines that use them; what fails keeps its last good pipeline. One
   /// line per shader changed or broken.
@@ -32,14 +39,24 @@ class PipelineLibrary {
 
  private:
   Result<gpu::Pipeline> make(const Recipe& recipe);
+  Result<gpu::Pipeline> make(const ComputeRecipe& recipe);
 
+  template <class R>
   struct Entry {
-    Recipe recipe;
+    R recipe;
     gpu::Pipeline pipeline;
   };
+  template <class R>
+  using Entries = std::map<std::string, Entry<R>>;
+  template <class R>
+  Result<const gpu::Pipeline*> find(Entries<R>& entries, const R& recipe);
+  template <class R>
+  void remake(Entries<R>& entries, const std::vector<std::string>& changed, std::vector<std::string>& lines);
+
   gpu::Device& device_;
   gpu::ShaderFolder shaders_;
-  std::map<std::string, Entry> entries_;
+  Entries<Recipe> graphics_;
+  Entries<ComputeRecipe> compute_;
 };
 
 }  // namespace tyndall::render

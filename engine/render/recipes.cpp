@@ -69,6 +69,11 @@ Recipe fullScreen(const std::string& name, const std::string& fragment, VkFormat
   return recipe;
 }
 
+std::string mapsText(std::uint32_t slots, ShadowMaps maps) {
+  static constexpr const char* kKinds[] = {" shadow maps", " quantised moment shadow maps", " moment shadow maps"};
+  return std::to_string(slots) + kKinds[static_cast<std::uint32_t>(maps)];
+}
+
 }  // namespace
 
 Recipe gbufferRecipe(Facing facing, bool mask, std::uint32_t textures) {
@@ -96,13 +101,12 @@ Recipe casterRecipe(bool mask) {
   return recipe;
 }
 
-Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots) {
-  Recipe recipe =
-      geometry("transparent, " + std::to_string(slots) + " shadow maps", "transparent.frag", facing, textures);
+Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots, ShadowMaps maps) {
+  Recipe recipe = geometry("transparent, " + mapsText(slots, maps), "transparent.frag", facing, textures);
   recipe.desc.bindings.push_back({9, kUniform});
   addSampled(recipe.desc.bindings, 10, shared::kShadowSlots);
   recipe.desc.bindings.push_back({14, kStorage});
-  recipe.desc.specialization = {{1, slots}, {2, textures}};
+  recipe.desc.specialization = {{1, slots}, {2, textures}, {3, static_cast<std::uint32_t>(maps)}};
   recipe.desc.pushConstantBytes = sizeof(UnshadowedLights);
   gpu::ColorTarget target{kColorFormat, true};
   target.sourceFactor = VK_BLEND_FACTOR_SRC_ALPHA;
@@ -113,13 +117,13 @@ Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t sl
   return recipe;
 }
 
-Recipe lightingRecipe(bool base, std::uint32_t slots) {
-  Recipe recipe = fullScreen((base ? "lighting, " : "more lighting, ") + std::to_string(slots) + " shadow maps",
-                             "lighting.frag", kColorFormat);
+Recipe lightingRecipe(bool base, std::uint32_t slots, ShadowMaps maps) {
+  Recipe recipe =
+      fullScreen((base ? "lighting, " : "more lighting, ") + mapsText(slots, maps), "lighting.frag", kColorFormat);
   recipe.desc.bindings = {{0, kUniform}, {1, kUniform}};
   addSampled(recipe.desc.bindings, 2, 4 + shared::kShadowSlots);
   recipe.desc.bindings.push_back({10, kStorage});
-  recipe.desc.specialization = {{0, base ? 1u : 0u}, {1, slots}};
+  recipe.desc.specialization = {{0, base ? 1u : 0u}, {1, slots}, {3, static_cast<std::uint32_t>(maps)}};
   recipe.desc.pushConstantBytes = sizeof(UnshadowedLights);
   gpu::ColorTarget& target = recipe.desc.colors[0];
   target.blend = !base;
@@ -148,6 +152,25 @@ Recipe debugViewRecipe() {
   Recipe recipe = fullScreen("debug view", "debug_view.frag", kPictureFormat);
   addSampled(recipe.desc.bindings, 0, 1);
   recipe.desc.pushConstantBytes = sizeof(DebugPush);
+  return recipe;
+}
+
+ComputeRecipe momentBlurRecipe(bool rows, VkFormat format) {
+  const bool quantise = format == kMoments64Format;
+  ComputeRecipe recipe;
+  recipe.shader = "moments_blur.comp";
+  recipe.desc.name = std::string(rows ? "moments blur x" : "moments blur y") + (quantise ? ", quantised" : "");
+  recipe.desc.bindings = {{0, kSampled}, {1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}};
+  recipe.desc.pushConstantBytes = sizeof(float);
+  recipe.desc.specialization = {{0, rows ? 1u : 0u}, {1, quantise ? 1u : 0u}};
+  return recipe;
+}
+
+ComputeRecipe momentMipRecipe() {
+  ComputeRecipe recipe;
+  recipe.shader = "moments_mip.comp";
+  recipe.desc.name = "moments mips";
+  recipe.desc.bindings = {{0, kSampled}, {1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}};
   return recipe;
 }
 

@@ -17,6 +17,13 @@ inline constexpr VkFormat kColorFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat kPictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 inline constexpr VkFormat kDistanceFormat = VK_FORMAT_R32_SFLOAT;
 
+/// Of moment shadow maps with 64 bits a texel, quantised, and with 128.
+inline constexpr VkFormat kMoments64Format = VK_FORMAT_R16G16B16A16_UNORM;
+inline constexpr VkFormat kMoments128Format = VK_FORMAT_R32G32B32A32_SFLOAT;
+
+/// How surfaces read shadow maps: SHADOW_MAPS of engine/include/lights.glsl.
+enum class ShadowMaps : std::uint32_t { kDepths = 0, kQuantisedMoments = 1, kMoments = 2 };
+
 /// Push constants of lighting.frag and transparent.frag: a part of the light array.
 struct UnshadowedLights {
   std::uint32_t first = 0, count = 0;
@@ -35,11 +42,14 @@ struct DebugPush {
 Recipe gbufferRecipe(Facing facing, bool mask, std::uint32_t textures);
 Recipe casterRecipe(bool mask);
 /// `slots`: how many shadow maps the shader reads, at most kShadowSlots.
-Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots);
+Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots, ShadowMaps maps);
 /// `base`: the first pass, which also writes sky and emission; others add.
-Recipe lightingRecipe(bool base, std::uint32_t slots);
+Recipe lightingRecipe(bool base, std::uint32_t slots, ShadowMaps maps);
 Recipe compositeRecipe(bool scatter);
 Recipe distanceRecipe();
 Recipe debugViewRecipe();
+/// `rows`: the first direction, from depths; else the second, from what the first made.
+ComputeRecipe momentBlurRecipe(bool rows, VkFormat format);
+ComputeRecipe momentMipRecipe();
 
 }  // namespace tyndall::render

@@ -69,6 +69,24 @@ shared::ViewBlock makeViewBlock(const View& view, const glm::mat4& clipFromWorld
   return block;
 }
 
+// Undefined where the device cannot filter it: linear filtering of 32-bit floats is optional in Vulkan.
+VkFormat momentFormat(const gpu::Device& device, std::uint32_t precision) {
+  TY_ASSERT(precision == 64 || precision == 128, std::to_string(precision) + " bits of moments; there are 64 and 128");
+  const VkFormat format = precision == 64 ? kMoments64Format : kMoments128Format;
+  VkFormatProperties properties{};
+  vkGetPhysicalDeviceFormatProperties(device.physical(), format, &properties);
+  const VkFormatFeatureFlags needed =
+      VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT | VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT;
+  return (properties.optimalTilingFeatures & needed) == needed ? format : VK_FORMAT_UNDEFINED;
+}
+
+// Depths, and the moments that surfaces read: mips add a third. Moments that only an effect reads are not known of yet,
+// because it is asked after the lights are planned.
+double shadowTexelBytes(const FrameData& frame) {
+  if (frame.surfaceMaps == ShadowMaps::kDepths) return kDepthTexelBytes;
+  return kDepthTexelBytes + gpu::texelBytes(frame.momentFormat) * 4.0 / 3;
+}
+
 }  // namespace
 
 Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) {
@@ -79,7 +97,15 @@ Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) 
   frame->clipFromWorld = glm::mat4(glm::dmat4(frame->view.clipFromView) * glm::dmat4(frame->view.viewFromWorld));
   frame->resources = resources;
   frame->draws = buildDrawList(input.scene, *resources, input.worldFromNode, frame->view.eye);
-  frame->plan = planLights(frame->view, input.lights, frame->draws.casters, input.settings.shadowResolution);
+  frame->momentFormat = momentFormat(device, input.settings.shadowPrecision);
+  if (input.settings.shadowMode == ShadowMode::kMoments) {
+    if (frame->momentFormat == VK_FORMAT_UNDEFINED)
+      return badCall("shadows.precision: " + std::to_string(input.settings.shadowPrecision) +
+                     "; this device cannot filter such maps, shadows.mode=moments takes the other precision");
+    frame->surfaceMaps = frame->momentFormat == kMoments64Format ? ShadowMaps::kQuantisedMoments : ShadowMaps::kMoments;
+  }
+  frame->plan = planLights(frame->view, input.lights, frame->draws.casters, input.settings.shadowResolution,
+                           kShadowBudgetBytes, shadowTexelBytes(*frame));
 
   const shared::ViewBlock view = makeViewBlock(frame->view, frame->clipFromWorld, input.lights);
   // Whole groups of slots, because the block of a group is bound as one.

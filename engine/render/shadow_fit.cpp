@@ -64,6 +64,8 @@ struct DepthRange {
   double near, far;
 };
 
+float curveOf(const DepthRange& range) { return static_cast<float>(range.far / range.near - 1); }
+
 // Distances of the casters from a local light. Depth clamp keeps casters nearer than `near`.
 DepthRange localRange(const scene::LightView& light, const scene::Bounds& casters) {
   const glm::dvec3 p(light.position);
@@ -159,6 +161,7 @@ ShadowFit fitSpot(const scene::LightView& light, const scene::Bounds& casters, s
       perspective(basisAlong(glm::dvec3(light.direction)), glm::dvec3(light.position), tangent, range.near, range.far);
   fit.useful = !casters.empty();
   fit.texelSize = 2 * tangent / size;
+  fit.depthCurve = curveOf(range);
   return fit;
 }
 
@@ -168,6 +171,7 @@ ShadowFit fitPoint(const scene::LightView& light, const scene::Bounds& casters, 
   fit.useful = !casters.empty();
   fit.texelSize = 2.0 / size;
   const DepthRange range = localRange(light, casters);
+  fit.depthCurve = curveOf(range);
   for (int face = 0; face < 6; ++face) {
     glm::dvec3 axis(0);
     axis[face / 2] = face % 2 ? -1 : 1;

@@ -24,6 +24,8 @@ struct ShadowFit {
   bool useful = false;
   /// Metres per texel: of the map's larger side (directional), or at 1 m along a face's axis (spot, point).
   double texelSize = 0;
+  /// Far over near distance of the map, less 1: what makes its depth linear. 0: orthographic, linear already.
+  float depthCurve = 0;
   std::string note;  ///< what the map cannot cover, or ""
 };
 

@@ -1,4 +1,5 @@
 // The exported entry: answers the host's calls from the registry of techniques.
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -13,6 +14,7 @@ struct TyInstance {
   const volumetrics::Technique* technique = nullptr;  ///< of the layout last returned; null: nothing to do
   std::uint32_t localLightsReported = 0;
   bool linearImpossible = false;  ///< as last reported
+  bool momentsMissing = false;    ///< as last reported
 };
 
 namespace volumetrics {
@@ -63,7 +65,10 @@ void reportLocalLights(TyInstance& instance, const TyStructure& structure, std::
 }
 
 const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStructure* structure) try {
-  LayoutContext context{*device, *structure, readSettings(structure->values, structure->value_count), 0};
+  LayoutContext context{*device, *structure, readSettings(structure->values, structure->value_count), 0, TY_FORMAT_UNKNOWN};
+  // A host of version 1.0 hands in a shorter struct.
+  if (structure->struct_size >= offsetof(TyStructure, shadow_moments_format) + sizeof structure->shadow_moments_format)
+    context.shadowMoments = structure->shadow_moments_format;
   for (std::uint32_t i = 0; i < structure->light_count; ++i)
     context.directionalLights += structure->light_kinds[i] == TY_LIGHT_DIRECTIONAL ? 1 : 0;
   instance->builder.clear();
@@ -79,6 +84,10 @@ const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStr
     reportLocalLights(*instance, *structure, context.directionalLights);
     instance->technique->layout(context, instance->builder);
   }
+  const bool missing = instance->builder.roles().momentsMissing;
+  if (missing && !instance->momentsMissing)
+    say(TY_LOG_WARNING, "volumetrics.filtered_resampling: this host makes no moment shadow maps; the rows are resampled unfiltered");
+  instance->momentsMissing = missing;
   return &instance->builder.finish();
 } catch (const std::exception& error) {
   say(TY_LOG_ERROR, std::string("layout failed: ") + error.what());

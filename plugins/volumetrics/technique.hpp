@@ -22,6 +22,7 @@ struct LayoutRoles {
   std::uint32_t casterPass = TY_NONE;    ///< first of the passes that rasterise projective maps, skipped in other frames
   std::uint32_t casterBlock = TY_NONE;   ///< first of their uniform blocks, one mat4 each
   std::uint32_t splits = 0;              ///< how many of both
+  bool momentsMissing = false;           ///< filtered resampling was asked for, but the host makes no moment shadow maps
 };
 
 /// What a prepare() has to tell people, once.
@@ -53,6 +54,7 @@ struct LayoutContext {
   const TyStructure& structure;
   Settings settings;
   std::uint32_t directionalLights = 0;
+  std::uint32_t shadowMoments = TY_FORMAT_UNKNOWN;  ///< TyFormat of the host's moment shadow maps
 };
 
 struct Technique {

@@ -1,7 +1,7 @@
 // Lights the G-buffer. The first pass (BASE) writes sky, emission, the sky's light, all unshadowed lights and up to
 // four
 // shadowed ones; passes for further shadowed lights add to it.
-// In: G-buffer (gbuffer.frag), depth (D32, reversed), shadow maps (D32). Out: RGBA32F radiance, linear; A is 1.
+// In: G-buffer (gbuffer.frag), depth (D32, reversed), shadow maps (D32, or four moments). Out: RGBA32F radiance, linear; A is 1.
 // Equation: glTF 2.0, appendix B.2 (brdf.glsl), summed over KHR_lights_punctual lights (lights.glsl).
 #version 460
 #extension GL_EXT_scalar_block_layout : require
@@ -11,6 +11,7 @@
 
 layout(constant_id = 0) const bool BASE = true;
 layout(constant_id = 1) const int SHADOW_SLOTS = 4;
+layout(constant_id = 3) const uint SHADOW_MAPS = 0u;  // 0 depths, 1 quantised moments, 2 moments
 
 layout(push_constant, scalar) uniform Push { uint firstUnshadowed, unshadowedCount; };
 layout(binding = 0, scalar) uniform ViewUniform { ViewBlock view; };

@@ -8,6 +8,7 @@
 #include "engine/include/material.glsl"
 
 layout(constant_id = 1) const int SHADOW_SLOTS = 4;
+layout(constant_id = 3) const uint SHADOW_MAPS = 0u;  // 0 depths, 1 quantised moments, 2 moments
 
 layout(push_constant, scalar) uniform Push { uint firstUnshadowed, unshadowedCount; };
 layout(binding = 9, scalar) uniform ShadowedLights { LightBlock shadowedLights[kShadowSlots]; };

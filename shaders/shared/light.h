@@ -24,8 +24,8 @@ struct LightBlock {
   LightCore core;
   float texelSize;        // directional: m per shadow map texel; others: m per texel at 1 m along the face's axis
   float shadowSize;       // texels a side
-  uint faceCount;         // 1, or 6 for a point light
-  mat4 clipFromWorld[6];  // of each face; only the first faceCount are used
+  float depthCurve;       // far over near distance of the map, less 1; 0: orthographic (engine/include/linear_depth.glsl)
+  mat4 clipFromWorld[6];  // of each face; one, or six for a point light
 };
 
 // Lights that one pass shadows; an array of so many is a whole multiple of any offset alignment that a uniform buffer

@@ -189,5 +189,35 @@ TEST_F(Render, ValidationIsSilent) {
   }
 }
 
+TEST_F(Render, ValidationIsSilentWithMomentShadowMaps) {
+  for (const char* level : {"hall", "forest"})
+    for (const char* precision : {"64", "128"}) {
+      const Outcome outcome = tyndall({"render", level, "--size", "64x36", "--validate", "--out", "m.png", "--set", "shadows.resolution=256",
+                                       "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64", "--set", "shadows.mode=moments",
+                                       "--set", "volumetrics.filtered_resampling=true", "--set", std::string("shadows.precision=") + precision});
+      EXPECT_EQ(outcome.status, 0) << level << ' ' << precision << ": " << outcome.err;
+    }
+}
+
+TEST_F(Render, ThePrecisionOfMomentsIsUnusedUnlessSomethingReadsThem) {
+  const auto unused = [&](std::vector<std::string> settings) {
+    std::vector<std::string> call = with(kSmall, {"--set", "shadows.precision=128"});
+    for (const std::string& setting : settings) call.insert(call.end(), {"--set", setting});
+    const json stats = statsOf(folder_, call);
+    bool made = false;
+    for (const json& pass : stats.at("passes")) made = made || pass.at("name").get<std::string>().starts_with("moments ");
+    const std::vector<std::string> ids = stats.at("unused_settings");
+    const bool listed = std::find(ids.begin(), ids.end(), "shadows.precision") != ids.end();
+    EXPECT_NE(made, listed) << "maps are made if and only if something reads them";
+    return listed;
+  };
+  EXPECT_TRUE(unused({}));
+  EXPECT_FALSE(unused({"shadows.mode=moments"}));
+  EXPECT_FALSE(unused({"volumetrics.technique=moments6", "volumetrics.filtered_resampling=true"}));
+  EXPECT_TRUE(unused({"volumetrics.technique=min_max", "volumetrics.filtered_resampling=true"})) << "its bounds must not be means";
+  EXPECT_TRUE(unused({"volumetrics.technique=ray_march", "volumetrics.filtered_resampling=true"}));
+  EXPECT_TRUE(unused({"volumetrics.enabled=false", "volumetrics.filtered_resampling=true"}));
+}
+
 }  // namespace
 }  // namespace tyndall::cli

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "frame_fixture.hpp"
+#include "host/abi.hpp"
 
 namespace tyndall::host {
 namespace {
@@ -81,6 +82,37 @@ TEST_F(Effect, everyKindOfPass) {
   // Two full-size RGBA32F images, one R32F, the output, 3 layers of 2 mips, three buffers.
   const std::uint64_t texels = kWidth * kHeight;
   EXPECT_EQ(effect_->memoryBytes(), texels * (16 + 16 + 4 + 16) + 3 * 4 * (4 * texels + texels) + 16 + 8 + 16);
+}
+
+TEST_F(Effect, aPerLightPassReadsItsLightsMomentShadowMap) {
+  load(kPasses);
+  addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);
+  addLight(LightKind::kPoint, glm::vec3(1), 1, 0);
+  ASSERT_TRUE(table_.setAssignment("passes.moments=1"));
+  gpu::Buffer shown;
+  const Picture picture = frame(false, [&](render::Graph& graph) {
+    const auto view = effect_->debugImage("moments");
+    ASSERT_TRUE(view.image);
+    EXPECT_EQ(view.channel, 2u);
+    shown = copyOut(graph, view.image);
+  });
+  ASSERT_FALSE(picture.empty);
+  // Two lights of weight 1, the format twice, halfway between mips 1 (100) and 2 (200), and the second light's own 1.
+  EXPECT_EQ(picture.at(0, 0).r, 1 + 2 * (1 + 10 * TY_FORMAT_RGBA32_FLOAT + 150) + 1);
+  EXPECT_EQ(reinterpret_cast<const glm::vec4*>(shown.mapped())->b, 0);
+  const std::uint64_t bytes = effect_->memoryBytes();
+  ASSERT_TRUE(table_.setAssignment("passes.moments=0"));
+  frame();
+  EXPECT_EQ(bytes, effect_->memoryBytes()) << "the engine's map is not the plugin's memory";
+}
+
+TEST_F(Effect, aChangeOfTheMomentsFormatIsANewLayout) {
+  load(kPasses);
+  addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);
+  EXPECT_EQ(frame().at(0, 0).g, 1);
+  EXPECT_EQ(frame().at(0, 0).g, 2);
+  offerMoments_ = false;
+  EXPECT_EQ(frame().at(0, 0).g, 1) << "history starts anew with a new layout";
 }
 
 TEST_F(Effect, valuesReachTheNextFrameWithoutANewLayout) {

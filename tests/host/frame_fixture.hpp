@@ -45,6 +45,7 @@ class FrameFixture : public testing::Test {
       EXPECT_EQ(device_->validationMessages(), 0u);
     }
     shadowMaps_.clear();
+    momentMaps_.clear();
     depth_ = {};
     timestamps_ = {};
     memory_.reset();
@@ -67,6 +68,26 @@ class FrameFixture : public testing::Test {
     return image.take();
   }
 
+  /// A moment map of 8x8 texels; the third channel of each texel is 100 times its mip plus `value`.
+  gpu::Image momentImage(std::uint32_t layers, float value) {
+    auto image = device_->createImage(
+        {.name = "moments",
+         .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+         .width = 8,
+         .height = 8,
+         .layers = layers,
+         .mips = 4,
+         .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    EXPECT_TRUE(image) << image.error().message;
+    for (std::uint32_t mip = 0; mip < 4; ++mip) {
+      const std::vector<glm::vec4> texels(64u >> (2 * mip),
+                                          glm::vec4(0, 0, 100.0f * static_cast<float>(mip) + value, 0));
+      for (std::uint32_t layer = 0; layer < layers; ++layer)
+        EXPECT_TRUE(device_->upload(*image, std::as_bytes(std::span(texels)), mip, layer));
+    }
+    return image.take();
+  }
+
   void load(const std::filesystem::path& library) {
     auto plugin = Plugin::load(library);
     ASSERT_TRUE(plugin) << plugin.error().message;
@@ -83,6 +104,7 @@ class FrameFixture : public testing::Test {
   void addLight(scene::LightKind kind, glm::vec3 color, float intensity, float shadowDepth) {
     const std::uint32_t faces = kind == scene::LightKind::kPoint ? 6 : 1;
     shadowMaps_.push_back(depthImage("shadow", 8, 8, faces, std::vector<float>(64, shadowDepth)));
+    momentMaps_.push_back(momentImage(faces, static_cast<float>(momentMaps_.size())));
     scene::LightView light;
     light.light.kind = kind;
     light.light.color = color;
@@ -105,6 +127,9 @@ class FrameFixture : public testing::Test {
       render::ShadowedLight light;
       light.light = lights_[i];
       light.shadowMap = graph.import(shadowMaps_[i], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+                                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+      if (offerMoments_)
+        light.moments = graph.import(momentMaps_[i], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
                                      VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
       light.faceCount = lights_[i].light.kind == scene::LightKind::kPoint ? 6 : 1;
       light.size = 8;
@@ -182,7 +207,8 @@ class FrameFixture : public testing::Test {
   render::View view_;
   gpu::Image depth_;
   std::vector<float> depths_;
-  std::vector<gpu::Image> shadowMaps_;
+  std::vector<gpu::Image> shadowMaps_, momentMaps_;
+  bool offerMoments_ = true;  ///< else the lights have none, as where the device cannot filter them
   std::vector<scene::LightView> lights_;
   std::function<void(render::PassContext&, const glm::mat4&)> drawCasters_;
   std::function<void(std::vector<render::PassTime>&)> fakeTimes_;

@@ -256,7 +256,7 @@ TEST(LayoutRefused, bindings) {
       {"buffer 4294967295", [](Given& g) { g.bindings[kFill][2].index = TY_NONE; }},
       {"uniform block 2", [](Given& g) { g.bindings[kFill][3].index = 2; }},
       {"index 1; this source has only index 0", [](Given& g) { g.bindings[kFill][0].index = 1; }},
-      {"unknown source 6", [](Given& g) { g.bindings[kFill][0].source = 6; }},
+      {"unknown source 7", [](Given& g) { g.bindings[kFill][0].source = 7; }},
       {"unknown access 5", [](Given& g) { g.bindings[kFill][0].access = 5; }},
       {"unknown sampler 5", [](Given& g) { g.bindings[kFill][0].sampler = 5; }},
       {"mixes uniform", [](Given& g) { g.bindings[kFill][3].access = TY_ACCESS_SAMPLED; }},
@@ -347,6 +347,30 @@ TEST(LayoutRefused, passes) {
       {"caster_uniform 2", [](Given& g) { g.passes[kCasters].caster_uniform = 2; }},
       {"starts with a mat4", [](Given& g) { g.uniforms[1].size = 60; }},
       {"depth only", [](Given& g) { g.passes[kCasters].targets = g.targets, g.passes[kCasters].target_count = 1; }},
+  });
+}
+
+TEST(Layout, aMomentShadowMapIsBoundWhole) {
+  const auto moments = [](Given& g) {
+    g.context.shadowMoments = TY_FORMAT_RGBA16_UNORM;
+    g.bindings[kLight][0] =
+        Given::bind(0, TY_SOURCE_SHADOW_MOMENTS, 0, TY_ACCESS_SAMPLED, TY_SAMPLER_LINEAR_MIPMAP_CLAMP);
+    g.views[1].source = TY_SOURCE_SHADOW_MOMENTS;
+  };
+  Given good;
+  moments(good);
+  EXPECT_TRUE(good.check()) << good.check().error().message;
+  expectRefusals({
+      {"which this renderer does not make", [&](Given& g) { moments(g), g.context.shadowMoments = TY_FORMAT_UNKNOWN; }},
+      {"not per light", [&](Given& g) { moments(g), g.passes[kLight].per_light = 0; }},
+      {"moment shadow map; sample it",
+       [&](Given& g) { moments(g), g.bindings[kLight][0].access = TY_ACCESS_STORAGE_READ; }},
+      {"some mips", [&](Given& g) { moments(g), g.bindings[kLight][0].base_mip = 1; }},
+      {"some mips", [&](Given& g) { moments(g), g.bindings[kLight][0].mip_count = 1; }},
+      {"a part of a shadow map", [&](Given& g) { moments(g), g.bindings[kLight][0].layer_count = 1; }},
+      {"only index 0", [&](Given& g) { moments(g), g.bindings[kLight][0].index = 1; }},
+      {"mip or layer", [&](Given& g) { moments(g), g.views[1].layer = 6; }},
+      {"neither an image nor", [&](Given& g) { moments(g), g.targets[0].source = TY_SOURCE_SHADOW_MOMENTS; }},
   });
 }
 

@@ -5,7 +5,8 @@
 //   stored through mip 1 of layer 1 of an array image output.a = 0.5
 // Beside it a chain of mips, each pass sampling one mip and storing the next of the same image, that only the debug
 // view "chain" shows. "passes.skip" is a mask of what prepare() leaves out: 1 history, 2 the second light, 4 the
-// casters.
+// casters. "passes.moments" 1: in the place of the shadow depth stands what per_light_moments.comp reads of the moment
+// shadow map, plus 10 times the map's TyFormat as layout() was told, which the weight of the light then includes.
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -23,12 +24,13 @@ struct TyInstance {
   TySpecialization size{}, first{};
   TyCounters counters{};
   TyTunable tunable{};
+  std::uint32_t momentsFormat = 0;
   TyLayout layout{};
 };
 
 namespace {
 
-enum { kWeight, kVariant, kBreak, kSkip, kParameters };
+enum { kWeight, kVariant, kBreak, kSkip, kMoments, kParameters };
 const char* const kVariants[] = {"auto", "one", "two"};
 const char* const kBreaks[] = {"nothing", "shader", "binding", "pass", "huge", "null", "casters", "prepare"};
 const TyHost* g_host = nullptr;
@@ -51,7 +53,8 @@ const TyParameter kTable[kParameters] = {
     parameter("passes.weight", TY_PARAMETER_FLOAT, 1, 100, nullptr, 0, 0),
     parameter("passes.variant", TY_PARAMETER_ENUM, 0, 0, kVariants, 3, TY_PARAMETER_STRUCTURAL),
     parameter("passes.break", TY_PARAMETER_ENUM, 0, 0, kBreaks, 8, TY_PARAMETER_STRUCTURAL),
-    parameter("passes.skip", TY_PARAMETER_INT, 0, 7, nullptr, 0, 0)};
+    parameter("passes.skip", TY_PARAMETER_INT, 0, 7, nullptr, 0, 0),
+    parameter("passes.moments", TY_PARAMETER_INT, 0, 1, nullptr, 0, TY_PARAMETER_STRUCTURAL)};
 
 TyBinding bind(std::uint32_t at, std::uint32_t source, std::uint32_t index, std::uint32_t access) {
   TyBinding b{};
@@ -131,6 +134,13 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
       pass(s, TY_PASS_COMPUTE, "light", "per_light.comp",
            {bind(0, TY_SOURCE_IMAGE, 0, TY_ACCESS_STORAGE_WRITE), bind(1, TY_SOURCE_UNIFORM, 0, TY_ACCESS_UNIFORM),
             bind(2, TY_SOURCE_SHADOW_MAP, 0, TY_ACCESS_SAMPLED)});
+  const bool moments = structure->values[kMoments] != 0;
+  s.momentsFormat = structure->shadow_moments_format;
+  if (moments) {
+    light.shader = "per_light_moments.comp";
+    s.bindings.back()[2] = bind(2, TY_SOURCE_SHADOW_MOMENTS, 0, TY_ACCESS_SAMPLED);
+    s.bindings.back()[2].sampler = TY_SAMPLER_LINEAR_MIPMAP_CLAMP;
+  }
   light.per_light = 1;
   light.groups[0] = (w + s.size.value - 1) / s.size.value, light.groups[1] = (h + s.size.value - 1) / s.size.value;
   light.specialization_count = 1;
@@ -188,7 +198,7 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
   s.views.push_back({sizeof(TyDebugView), TY_SOURCE_IMAGE, "sum", "All lights", 1, 0, 0, 0, 0, 1});
   s.views.push_back({sizeof(TyDebugView), TY_SOURCE_IMAGE, "part", "Mip 1 of layer 1", 3, 1, 1, 0, 0, 1});
   s.views.push_back({sizeof(TyDebugView), TY_SOURCE_SHADOW_MAP, "map of light 7", "", 7, 0, 0, 0, 0, 1});
-
+  if (moments) s.views.push_back({sizeof(TyDebugView), TY_SOURCE_SHADOW_MOMENTS, "moments", "", 0, 0, 0, 2, 0, 1});
   s.views.push_back({sizeof(TyDebugView), TY_SOURCE_IMAGE, "chain", "Mip 3 of the chain", 4, 3, 0, 0, 0, 1});
 
   s.layout.struct_size = sizeof(TyLayout);
@@ -218,6 +228,7 @@ bool prepare(TyInstance* self, const TyFrame* frame, const TyUniformData* out) {
   skip(*self, frame, out);
   for (std::uint32_t i = 0; i < frame->light_count; ++i) {
     float block[8] = {frame->lights[i].radiance[0] * static_cast<float>(frame->values[kWeight]), 0, 0, 0, 0, 0, 0, 0};
+    if (frame->values[kMoments] != 0) block[0] += 10 * static_cast<float>(self->momentsFormat);
     std::memcpy(out->data[0] + std::size_t{i} * out->stride[0], block, sizeof block);
   }
   const float scalars[4] = {static_cast<float>(frame->reset), 0, 0, 0};

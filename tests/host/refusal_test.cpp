@@ -51,6 +51,16 @@ TEST_F(Refusal, isOneLineAndTheEffectIsOff) {
   }
 }
 
+TEST_F(Refusal, momentShadowMapsThatNobodyMakes) {
+  offerMoments_ = false;
+  ASSERT_TRUE(table_.setAssignment("passes.moments=1"));
+  const std::string log = logOf("nothing");
+  EXPECT_THAT(log, HasSubstr("pass 'light': binding 2 takes a moment shadow map, which this renderer does not make"));
+  EXPECT_EQ(lines(log), 1u) << log;
+  offerMoments_ = true;
+  EXPECT_FALSE(frame().empty);
+}
+
 TEST_F(Refusal, noLayout) {
   const std::string log = logOf("null");
   EXPECT_THAT(log, HasSubstr("passes: no layout today"));

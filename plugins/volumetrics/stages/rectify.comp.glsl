@@ -24,10 +24,33 @@ layout(binding = 3) uniform writeonly image2DArray rectified;
 // Moments of 16 bit place the empty background (depth 1) this exactly.
 const float kEmpty = 1.0 - 2e-3;
 
+// Samples of the moment shadow map for one texel, at most.
+const float kMostSamples = 8.0;
+// Variance in square texels of the host's Gaussian, and of one texel of a mip with its bilinear filter per square of its size: a box of
+// width w has w^2 / 12, so mips are for footprints wider than kLeastWidth = sqrt(12 (kGaussianVariance + kMipVariance)).
+const float kGaussianVariance = 2.25;
+const float kMipVariance = 0.25;
+const float kLeastWidth = 5.5;
+
 // Normalised depth at distance c from the axis of a blocker at a stored depth; `p` is the light ray's foot in the map.
 float blockerDepth(float c, vec3 p, float stored) {
   // Height above the eye's plane, towards the light, at which the light ray reaches the stored depth.
   return rectifiedDepth(c, (stored - p.z) / light.map.shadowAlong.z);
+}
+
+// Mean of the stored moments over a texel's footprint, whose sides are `along` and `across` in shadow texels: samples along the longer
+// side, each from the mip whose filter spreads as far as the sample's share of the footprint.
+vec4 sampleMoments(vec2 at, vec2 along, vec2 across) {
+  bool longerAlong = length(along) > length(across);
+  vec2 line = longerAlong ? along : across;
+  float shorter = length(longerAlong ? across : along);
+  float samples = clamp(ceil(length(line) / max(shorter, kLeastWidth)), 1.0, kMostSamples);
+  float width = max(shorter, length(line) / samples);
+  float lod = 0.5 * log2(max(width * width / (12.0 * kMipVariance) - kGaussianVariance / kMipVariance, 1.0));
+  vec4 sum = vec4(0.0);
+  for (float i = 0.5; i < samples; i += 1.0)
+    sum += textureLod(shadowMap, vec3((at + line * (i / samples - 0.5)) / light.sun.shadowSize, 0.0), lod);
+  return sum / samples;
 }
 
 void main() {
@@ -42,9 +65,10 @@ void main() {
     if (kFiltered) {
       // Footprint in shadow texels of one column and of one slice.
       vec2 along = s.shadowStep.xy * (s.last - s.first) / float(light.map.columns);
-      vec2 across = c * length(s.shadowStep.xy) * (sliceDirection(float(at.x) + 1.0) - sliceDirection(float(at.x)));
-      float lod = max(log2(max(max(length(along), length(across)), 1e-6)), 0.0);
-      vec4 b = textureLod(shadowMap, vec3(p.xy / light.sun.shadowSize, 0.0), lod);
+      vec2 turn = c * (sliceDirection(float(at.x) + 1.0) - sliceDirection(float(at.x)));
+      vec3 world = turn.x * light.map.e1 + turn.y * light.map.e2;
+      vec2 across = light.sun.shadowX.xy * world.x + light.sun.shadowY.xy * world.y + light.sun.shadowZ.xy * world.z;
+      vec4 b = sampleMoments(p.xy, along, across);
       if (kQuantisedMoments) b = dequantise4(b);
       vec4 two = twoDepths(b);  // z1, z2, w1, w2: depths in [-1, 1], 1 where nothing was drawn
       vec2 stored = clamp(two.xy * 0.5 + 0.5, 0.0, 1.0);

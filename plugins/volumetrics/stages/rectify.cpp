@@ -71,7 +71,8 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, De
   RectifyStage stage;
   stage.slices = static_cast<std::uint32_t>(settings.slices);
   stage.rows = columns * (projective ? static_cast<std::uint32_t>(settings.splits) : 1);
-  stage.filtered = filterable && settings.filtered_resampling != 0;
+  stage.filtered = filterable && settings.filtered_resampling != 0 && context.shadowMoments != TY_FORMAT_UNKNOWN;
+  builder.roles().momentsMissing = filterable && settings.filtered_resampling != 0 && !stage.filtered;
   const TyFormat single = bits == DepthBits::k16 ? TY_FORMAT_R16_UNORM : TY_FORMAT_R32_FLOAT;
   const TyFormat pair = bits == DepthBits::k16 ? TY_FORMAT_RGBA16_UNORM : TY_FORMAT_RGBA32_FLOAT;
 
@@ -84,9 +85,18 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, De
       {"rectify", "rectify.comp",
        {uniformAt(0, kSunBlock), bufferAt(1, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
         stage.filtered ? shadowMomentsAt(2) : shadowMapAt(2), storageAt(3, stage.rectified)},
-       groups8(stage.slices), groups8(columns), 1, true, {{0, stage.filtered ? 1u : 0u}}});
+       groups8(stage.slices), groups8(columns), 1, true,
+       {{0, stage.filtered ? 1u : 0u}, {1, context.shadowMoments == TY_FORMAT_RGBA16_UNORM ? 1u : 0u}}});
   builder.debugView("rectified", "Rectified map, resampled: slices along x, columns along y; depth of the first blocker, white = none",
                     TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f);
+  if (stage.filtered) {
+    builder.debugView("rectified_second", "Rectified map, filtered: depth of the second blocker", TY_SOURCE_IMAGE, stage.rectified, 0, 1,
+                      0.0f, 1.0f);
+    builder.debugView("rectified_share", "Rectified map, filtered: share of the second blocker", TY_SOURCE_IMAGE, stage.rectified, 0, 2,
+                      0.0f, 1.0f);
+    builder.debugView("shadow_moments", "The first light's moment shadow map that the rows are made of, first three channels",
+                      TY_SOURCE_SHADOW_MOMENTS, 0, 0, 4, 0.0f, 1.0f);
+  }
   stage.projective = stage.rectified;
   if (!projective) return stage;
 

@@ -1,13 +1,14 @@
 // All lights' contribution to a surface. The includer declares (with these names): the uniform block's member
 // `LightBlock shadowedLights[kShadowSlots]`, the storage buffer's `LightBlock lights[]`, the specialization constant
-// SHADOW_SLOTS (0 to kShadowSlots) and the samplers shadowMap0..3.
-// Light i of shadowedLights has the map shadowMap<i>. Slots are written out instead of looped over: samplers cannot be
+// SHADOW_SLOTS (0 to kShadowSlots) and SHADOW_MAPS, the samplers shadowMap0..3 and `ViewBlock view`.
+// Light i of shadowedLights has the map shadowMap<i>: depths, or moments (SHADOW_MAPS, engine/include/moment_shadow.glsl). Slots are written out instead of looped over: samplers cannot be
 // indexed
 // (descriptor indexing is missing on software devices), and constant indices into a uniform block are the fastest
 // loads there.
 #ifndef TYNDALL_LIGHTS_GLSL
 #define TYNDALL_LIGHTS_GLSL
 #include "engine/include/brdf.glsl"
+#include "engine/include/moment_shadow.glsl"
 #include "engine/include/shadow.glsl"
 
 vec3 directionTo(LightCore light, vec3 position) {
@@ -37,8 +38,13 @@ vec3 irradianceFrom(LightCore light, vec3 position) {
 #define TY_SHADOW_SLOT(i)                                                                      \
   if (SHADOW_SLOTS > i) {                                                                      \
     vec3 l = directionTo(shadowedLights[i].core, s.position);                                  \
-    vec4 place = shadowPlace(i, s.position, s.normal, l);                                      \
-    float lit = shadowFilter(shadowMap##i, shadowedLights[i].shadowSize, place);               \
+    float lit;                                                                                 \
+    if (SHADOW_MAPS == kDepths) {                                                              \
+      vec4 place = shadowPlace(i, s.position, s.normal, l, kNormalOffsetTexels);               \
+      lit = shadowFilter(shadowMap##i, shadowedLights[i].shadowSize, place);                   \
+    } else {                                                                                   \
+      lit = momentFilter(shadowMap##i, i, s.position, s.normal, l);                            \
+    }                                                                                          \
     sum += irradianceFrom(shadowedLights[i].core, s.position) * lit * reflectPunctual(s, l);   \
   }
 

@@ -22,20 +22,25 @@ uint cubeFace(vec3 d) {
 const float kNormalOffsetTexels = 2.0;
 const float kLightOffsetTexels = 0.5;
 
-// Clip position of the receiver in the map of shadowedLights[slot] (w divided out) and the layer; xy outside [-1, 1]:
-// unshadowed.
+// The layer of the map of shadowedLights[slot] that a place lies in.
 // (A slot, not a struct: copies of a light with its six matrices are dear on software devices.)
-vec4 shadowPlace(uint slot, vec3 position, vec3 normal, vec3 towardsLight) {
+uint shadowFace(uint slot, vec3 position) {
+  return shadowedLights[slot].core.kind == kLightPoint ? cubeFace(position - shadowedLights[slot].core.position) : 0u;
+}
+
+// Clip position of the receiver in the map of shadowedLights[slot] (w divided out) and the layer; xy outside [-1, 1]:
+// unshadowed. `normalTexels`: how far the receiver is moved along its normal where light grazes it.
+vec4 shadowPlace(uint slot, vec3 position, vec3 normal, vec3 towardsLight, float normalTexels) {
   uint kind = shadowedLights[slot].core.kind;
   vec3 from = position - shadowedLights[slot].core.position;
   vec3 a = abs(from);
-  uint face = kind == kLightPoint ? cubeFace(from) : 0u;
+  uint face = shadowFace(slot, position);
   float texel = shadowedLights[slot].texelSize;
   if (kind == kLightSpot) texel *= max(dot(from, shadowedLights[slot].core.direction), 0.0);
   if (kind == kLightPoint) texel *= max(a.x, max(a.y, a.z));
   float cosine = dot(normal, towardsLight);
   float sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
-  vec3 p = position + texel * (kNormalOffsetTexels * sine * normal + kLightOffsetTexels * towardsLight);
+  vec3 p = position + texel * (normalTexels * sine * normal + kLightOffsetTexels * towardsLight);
   vec4 clip = shadowedLights[slot].clipFromWorld[face] * vec4(p, 1.0);
   if (clip.w <= 0.0) return vec4(2.0, 2.0, 0.0, 0.0);  // behind a spot light
   return vec4(clip.xyz / clip.w, float(face));

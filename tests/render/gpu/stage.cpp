@@ -83,6 +83,7 @@ Shot Stage::render(const scene::Scene& scene, const scene::CameraView& camera,
   EXPECT_TRUE(device_->endFrame().ok());
   EXPECT_TRUE(device_->waitIdle().ok());
   shot.passes = graph.passes();
+  shot.statistics = graph.statistics();
   const std::size_t count = std::size_t{shot.width} * shot.height;
   shot.color = color.take<glm::vec4>(count);
   shot.distance = distance.take<float>(count);

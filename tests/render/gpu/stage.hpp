@@ -16,6 +16,7 @@ struct Shot {
   std::vector<float> distance;
   std::vector<glm::u8vec4> picture;
   std::vector<PassTime> passes;
+  GraphStatistics statistics;
   const glm::vec4& at(std::uint32_t x, std::uint32_t y) const { return color[y * width + x]; }
 };
 

@@ -88,7 +88,7 @@ TEST(SharedLayout, Light) {
   EXPECT_EQ(reflect("lighting.frag", "LightBlock"), (Offsets{TY_MEMBER(LightBlock, core),
                                                              TY_MEMBER(LightBlock, texelSize),
                                                              TY_MEMBER(LightBlock, shadowSize),
-                                                             TY_MEMBER(LightBlock, faceCount),
+                                                             TY_MEMBER(LightBlock, depthCurve),
                                                              TY_MEMBER(LightBlock, clipFromWorld),
                                                              {"sizeof", sizeof(shared::LightBlock)}}));
 }

@@ -32,6 +32,8 @@ class Catalogue {
   const host::TechniqueInfo* technique() const;
   /// The selector's value as text ("moments6", "none"); the plugin's id when it has no selector.
   std::string techniqueName() const;
+  /// Whether anything reads moment shadow maps: surfaces (shadows.mode) or the technique (filtered_resampling).
+  bool readsShadowMoments() const;
   /// Ids set explicitly that the chosen technique does not read.
   std::vector<std::string> unusedSettings() const;
 

@@ -74,6 +74,7 @@ struct LayoutContext {
   std::vector<std::uint32_t> lightKinds;
   std::uint32_t valueCount = 0;
   std::vector<bool> structural;  ///< of each parameter
+  std::uint32_t shadowMoments = TY_FORMAT_UNKNOWN;  ///< TyFormat of the lights' moment shadow maps
 };
 
 /// Every rule of the ABI that can be checked without a GPU; the first broken one is the error ("pass 'march': ...").

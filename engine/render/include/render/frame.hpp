@@ -34,6 +34,9 @@ View makeView(const scene::CameraView& camera, std::uint32_t width, std::uint32_
 struct ShadowedLight {
   scene::LightView light;
   ImageRef shadowMap;                       ///< D32 array image of this light's own: 1 layer, 6 for a point light
+  /// Four-moment shadow map of the same size, with all mips: RGBA16 unorm (quantised) or RGBA32F. Passes that make it run
+  /// only if something reads it. Empty where the device cannot filter the format.
+  ImageRef moments;
   std::uint32_t faceCount = 1;
   std::uint32_t size = 0;                   ///< texels a side
   std::array<glm::mat4, 6> clipFromWorld{}; ///< of each face
@@ -67,9 +70,14 @@ class Effect {
   virtual DebugImage debugImage(const std::string& name) = 0;
 };
 
+/// How shadow maps are filtered when surfaces are lit.
+enum class ShadowMode { kPcf, kMoments };
+
 struct FrameSettings {
   float exposure = 1;                 ///< linear factor before the tone map
   std::uint32_t shadowResolution = 2048;
+  ShadowMode shadowMode = ShadowMode::kPcf;
+  std::uint32_t shadowPrecision = 64; ///< bits per texel of moment shadow maps: 64 or 128
   std::string debugView;              ///< "" = the picture; engine views: see debugViews()
 };
 

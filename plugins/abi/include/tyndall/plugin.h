@@ -19,7 +19,8 @@
  *   keeps (strings too) and never frees a plugin's memory. Pointers that a host hands in are valid during the call.
  * - Errors: a function returns false (or null) after one log line through TyHost.log; it never throws, aborts or exits.
  * - Strings: UTF-8, zero-terminated, never null unless stated.
- * - New in 1.1: TyUniformData.skip; a pass may sample and store to different parts of one image (TyBinding).
+ * - New in 1.1: TyUniformData.skip; a pass may sample and store to different parts of one image (TyBinding);
+ *   TY_SOURCE_SHADOW_MOMENTS and TyStructure.shadow_moments_format.
  * - Units: metres, radians, seconds; linear colour; matrices column-major, named result_from_source; view space looks
  *   down -Z, +Y up; clip space is Vulkan's (x right, y down, z in [0, 1]); depth of the scene is reversed (1 at the
  *   near plane, 0 at the far plane or where nothing was drawn).
@@ -116,6 +117,9 @@ typedef struct TyStructure {
   const uint32_t* shadow_sizes;       /* texels a side of each light's map (of one face, for a point light) */
   const double* values;               /* every parameter of the plugin's table, in table order */
   uint32_t value_count;
+  /* Since 1.1: TyFormat of TY_SOURCE_SHADOW_MOMENTS, RGBA16 unorm (quantised, see there) or RGBA32 float; TY_FORMAT_UNKNOWN:
+   * the host makes no such maps, and a layout that binds one is refused. */
+  uint32_t shadow_moments_format;
 } TyStructure;
 
 /* -------------------------------------------------------------------------------------------------- layout ---- */
@@ -173,7 +177,12 @@ typedef enum TySource {
   TY_SOURCE_SCENE_DEPTH = 3,   /* D32, reversed; width x height; index 0 */
   TY_SOURCE_SHADOW_MAP = 4,    /* per-light passes only: the light's map, D32 array (1 layer; 6 faces +X -X +Y -Y +Z -Z for a point light) */
   TY_SOURCE_OUTPUT = 5,        /* the plugin's result: RGBA32F, width x height: RGB in-scattered radiance, A transmittance */
-  TY_SOURCE_SHADOW_MOMENTS = 6 /* version 1.1, per-light passes only: the light's four-moment shadow map, 2D array with mips */
+  /* Since 1.1, per-light passes only: the light's four-moment shadow map, a 2D array of as many layers and texels as its shadow
+   * map, with all mips, for TY_ACCESS_SAMPLED of the whole. RGBA hold the means of z, z^2, z^3, z^4 over a Gaussian of 1.5 texels, where
+   * z in [-1, 1] is 2d - 1 for a directional light's stored depth d, and grows linearly with the distance along the face's
+   * axis, -1 at depth 0 and 1 at depth 1, for others. RGBA16 unorm holds them after the quantisation transform of Peters et
+   * al. 2017, equation 3. It is made only in frames in which a pass that counts reads it. */
+  TY_SOURCE_SHADOW_MOMENTS = 6
 } TySource;
 
 typedef enum TyAccess {
@@ -259,7 +268,7 @@ typedef struct TyPass {
 /* A picture the plugin can show of its insides. */
 typedef struct TyDebugView {
   uint32_t struct_size;
-  uint32_t source;         /* TY_SOURCE_IMAGE, TY_SOURCE_SHADOW_MAP or TY_SOURCE_OUTPUT */
+  uint32_t source;         /* TY_SOURCE_IMAGE, TY_SOURCE_SHADOW_MAP, TY_SOURCE_OUTPUT or (since 1.1) TY_SOURCE_SHADOW_MOMENTS */
   const char* name;        /* "rectified" */
   const char* doc;
   uint32_t index;
