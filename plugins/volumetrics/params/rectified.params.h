@@ -10,7 +10,8 @@
        "epipolar resamples the shadow map; auto takes linear where its columns are even enough and the light is off the " \
        "screen. Where no projective map exists (the light or its antipode in view), linear uses epipolar and says so.")  \
   INT(splits, "volumetrics.splits", "Splits", 1, 1, 4, 1, 4, "maps", TY_PARAMETER_STRUCTURAL,                            \
-      "Maps of growing size that the linear rectification is split into, each of columns x slices texels.")              \
+      "Maps of growing size that the linear rectification is split into, each of columns x slices texels. An epipolar map that stands " \
+      "in for them has the columns of all.")              \
   FLOAT(depth_warp, "volumetrics.depth_warp", "Depth warp", 0, 0, 1, "", 0,                                              \
         "Stretches the rectified depth towards the light, where epipolar depth has little precision: the normalised "    \
         "depth is raised to 1/(1 + warp).")                                                                              \

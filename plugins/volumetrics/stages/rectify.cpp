@@ -1,5 +1,6 @@
 #include "stages/rectify.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -16,8 +17,7 @@ constexpr std::uint32_t kSegmentAlignment = 8;
 
 Rectification rectification(const Settings& settings) { return static_cast<Rectification>(settings.rectification); }
 
-/// `regions`: parts of each map. An epipolar map that stands in for projective ones has as many parts as all of them together, so that a
-/// switch between both changes neither the number of look-ups nor what joining the parts brings.
+/// `regions`: parts of the map, or of each of its splits.
 void setSegments(RectificationBlock& map, std::uint32_t regions) {
   const std::uint32_t even = (map.columns + regions - 1) / regions;
   map.segmentColumns = (even + kSegmentAlignment - 1) / kSegmentAlignment * kSegmentAlignment;
@@ -53,7 +53,11 @@ RectificationBlock chooseMap(const FrameContext& context, const RectificationInp
       context.skip(context.roles.casterPass + i, light);
     }
   }
-  return epipolarBlock(input);
+  // An epipolar map that stands in for projective ones has the columns and parts of all of them together: a switch between both then
+  // changes neither the number of look-ups nor the resolution.
+  RectificationInput wide = input;
+  wide.columns *= std::max(1u, context.roles.splits);
+  return epipolarBlock(wide);
 }
 
 }  // namespace
@@ -77,7 +81,7 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, De
   const TyFormat pair = bits == DepthBits::k16 ? TY_FORMAT_RGBA16_UNORM : TY_FORMAT_RGBA32_FLOAT;
 
   stage.sliceBuffer = builder.buffer("slices", sizeof(Slice) * std::uint64_t{stage.slices});
-  stage.rectified = builder.image("rectified", stage.filtered ? pair : single, stage.slices, columns, 1, true);
+  stage.rectified = builder.image("rectified", stage.filtered ? pair : single, stage.slices, stage.rows, 1, true);
   builder.compute({"slices", "slices.comp",
                    {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_WRITE)},
                    (stage.slices + 63) / 64, 1, 1, true, {{0, rays}}});
@@ -85,7 +89,7 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, De
       {"rectify", "rectify.comp",
        {uniformAt(0, kSunBlock), bufferAt(1, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
         stage.filtered ? shadowMomentsAt(2) : shadowMapAt(2), storageAt(3, stage.rectified)},
-       groups8(stage.slices), groups8(columns), 1, true,
+       groups8(stage.slices), groups8(stage.rows), 1, true,
        {{0, stage.filtered ? 1u : 0u}, {1, context.shadowMoments == TY_FORMAT_RGBA16_UNORM ? 1u : 0u}}});
   builder.debugView("rectified", "Rectified map, resampled: slices along x, columns along y; depth of the first blocker, white = none",
                     TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f);
@@ -137,7 +141,7 @@ void prepareRectify(const FrameContext& context) {
     input.slices = static_cast<std::uint32_t>(settings.slices);
     input.spacing = static_cast<SliceSpacing>(settings.slice_spacing);
     block.map = chooseMap(context, input, i);
-    setSegments(block.map, static_cast<std::uint32_t>(settings.regions) * (context.roles.splits > 1 ? context.roles.splits / block.map.splits : 1));
+    setSegments(block.map, static_cast<std::uint32_t>(settings.regions) * (block.map.columns / input.columns));
     block.map.depthPower = 1.0f / (1.0f + settings.depth_warp);
     const glm::vec3 a = block.sun.towards;
     block.map.shadowAlong = block.sun.shadowX * a.x + block.sun.shadowY * a.y + block.sun.shadowZ * a.z;
