@@ -37,24 +37,6 @@ double splitEnd(double start, double length, double columns) {
   return 0.5 * (sum + std::sqrt(sum * sum + 4 * length * start * (columns - 1)));
 }
 
-/// Borders of splits whose last columns are all of one length, the shortest possible: the first splits grow fastest.
-std::array<double, kMaxSplits + 1> splitBorders(double first, double last, std::uint32_t splits, double columns) {
-  std::array<double, kMaxSplits + 1> borders{first};
-  const auto reach = [&](double length) {
-    double border = first;
-    for (std::uint32_t i = 0; i < splits; ++i) borders[i + 1] = border = splitEnd(border, length, columns);
-    return border;
-  };
-  double low = 0, high = last * (last - first) / (columns * first + last - first);  // a single split needs the latter
-  for (int i = 0; i < 100; ++i) {
-    const double middle = 0.5 * (low + high);
-    (reach(middle) < last ? low : high) = middle;
-  }
-  reach(high);
-  borders[splits] = last;
-  return borders;
-}
-
 /// Clip coordinates as functions of (x, y, height) along (e1, e2, towards) from the eye, all linear, then of world positions.
 glm::mat4 clipMatrix(const RectificationInput& input, const RectificationBlock& block, double nearInverse, double farInverse) {
   const double span = block.sliceStep * static_cast<double>(block.slices);
@@ -77,6 +59,23 @@ glm::mat4 clipMatrix(const RectificationInput& input, const RectificationBlock& 
 }
 
 }  // namespace
+
+std::array<double, kMaxSplits + 1> splitBorders(double first, double last, std::uint32_t splits, double columns) {
+  std::array<double, kMaxSplits + 1> borders{first};
+  const auto reach = [&](double length) {
+    double border = first;
+    for (std::uint32_t i = 0; i < splits; ++i) borders[i + 1] = border = splitEnd(border, length, columns);
+    return border;
+  };
+  double low = 0, high = last * (last - first) / (columns * first + last - first);  // a single split needs the latter
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (reach(middle) < last ? low : high) = middle;
+  }
+  reach(high);
+  borders[splits] = last;
+  return borders;
+}
 
 std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uint32_t splits) {
   const glm::dvec3 axis(input.towards);

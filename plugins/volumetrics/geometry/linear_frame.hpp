@@ -20,6 +20,10 @@ struct LinearFrame {
   double widestSlice = 1;
 };
 
+/// Borders along e1, m, of `splits` maps over [first, last], 0 < first < last, whose last columns, of `columns` each, are of one length, the
+/// shortest possible: the first maps grow fastest. Entries 0 to `splits`.
+std::array<double, kMaxSplits + 1> splitBorders(double first, double last, std::uint32_t splits, double columns);
+
 /// None where no projective map exists: the light or its antipode is in view, or the view spans (nearly) 180 degrees seen along the
 /// light. `splits` is 1...4; their borders make the last columns of all as short as they can be.
 std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uint32_t splits);

@@ -31,6 +31,7 @@ struct SunBlock {
 const uint kMaxPolygon = 24u;
 const uint kMaxBorderEdges = 5u;
 const uint kMaxSplits = 4u;
+const uint kMaxSegments = 32u;  // eight regions of four splits
 
 // How the index of a slice follows from a direction's components (x, y) along e1 and e2.
 const int kSlicesByAzimuth = 0;  // uniform in atan(y, x)
@@ -58,8 +59,8 @@ struct RectificationBlock {
   uint fullCircle;         // 1: slices wrap round (an epipole is on the screen)
   uint columns, slices;    // of one map
   uint splits;             // maps one behind the other; more than one with the projective rectification only
-  uint segments;           // parts of a map's columns that are prefixed each on its own ("regions")
-  uint segmentColumns;     // length of one; the last may be shorter
+  uint segmentCount;       // parts of the columns of all maps that are prefixed each on its own ("regions")
+  uint segmentStart[kMaxSegments + 1u];  // their first columns, rising, and the end of the last
   uint nearLit;            // 1: what lies before the first column is known to be lit; 0: it is not in the map
   float inverse[5];        // projective: 1/x at the borders of the splits, 1/m, falling
   vec3 shadowAlong;        // change of shadow texel and depth per metre towards the light (x, y are 0)

@@ -69,10 +69,9 @@ void main() {
   if (!kScan && !inside) return;  // the scan needs every invocation at its barriers
   Slice s = slices[min(slice, light.map.slices - 1u)];
   int group = int(gl_WorkGroupID.z);
-  uint map = gl_WorkGroupID.y / light.map.segments;
-  uint begin = map * light.map.columns + (gl_WorkGroupID.y % light.map.segments) * light.map.segmentColumns;
-  if (map >= light.map.splits || begin >= (map + 1u) * light.map.columns) return;
-  uint end = segmentOf(begin).y;
+  if (gl_WorkGroupID.y >= light.map.segmentCount) return;
+  uint begin = light.map.segmentStart[gl_WorkGroupID.y];
+  uint end = light.map.segmentStart[gl_WorkGroupID.y + 1u];
   bool even = light.map.slicing != kSlicesByTangent;
   float width = (s.last - s.first) / float(light.map.columns);
 

@@ -108,21 +108,21 @@ float meanVisibility(RowRay ray) {
   bool nearerA = ray.a.weight >= 0.5;
   float leading = nearerA ? ray.a.column : ray.b.column;
   uint last = min(uint(max(ceil(leading) - 1.0, 0.0)), totalColumns() - 1u);
-  vec2 end = vec2(segmentOf(last));  // the segment in which the ray ends
-  if (end.x == 0.0) return segmentVisibility(ray, end, min(ray.a.column, end.y), min(ray.b.column, end.y), lod);
   Slice s = slices[nearerA ? ray.a.index : ray.b.index];
   float sum = 0.0;
   float total = 0.0;
-  uint start = 0u;
-  while (start < uint(end.x)) {
-    uvec2 segment = segmentOf(start);
-    float weight = ownWeight(ray, s, float(segment.x), float(segment.y));
-    sum += weight * segmentVisibility(ray, vec2(segment), float(segment.y), float(segment.y), lod);
+  uint i = 0u;
+  for (; i + 1u < light.map.segmentCount && light.map.segmentStart[i + 1u] <= last; ++i) {
+    vec2 segment = vec2(light.map.segmentStart[i], light.map.segmentStart[i + 1u]);
+    float weight = ownWeight(ray, s, segment.x, segment.y);
+    sum += weight * segmentVisibility(ray, segment, segment.y, segment.y, lod);
     total += weight;
-    start = segment.y;
   }
+  vec2 end = vec2(light.map.segmentStart[i], light.map.segmentStart[i + 1u]);  // the segment in which the ray ends
+  float visible = segmentVisibility(ray, end, clamp(ray.a.column, end.x, end.y), clamp(ray.b.column, end.x, end.y), lod);
+  if (i == 0u) return visible;
   float weight = ownWeight(ray, s, end.x, max(leading, end.x));
-  sum += weight * segmentVisibility(ray, end, clamp(ray.a.column, end.x, end.y), clamp(ray.b.column, end.x, end.y), lod);
+  sum += weight * visible;
   total += weight;
   return total > 0.0 ? sum / total : 1.0;
 }

@@ -1,7 +1,11 @@
 #include "stages/rectify.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -17,11 +21,41 @@ constexpr std::uint32_t kSegmentAlignment = 8;
 
 Rectification rectification(const Settings& settings) { return static_cast<Rectification>(settings.rectification); }
 
-/// `regions`: parts of the map, or of each of its splits.
-void setSegments(RectificationBlock& map, std::uint32_t regions) {
-  const std::uint32_t even = (map.columns + regions - 1) / regions;
-  map.segmentColumns = (even + kSegmentAlignment - 1) / kSegmentAlignment * kSegmentAlignment;
-  map.segments = (map.columns + map.segmentColumns - 1) / map.segmentColumns;
+/// Parts that are prefixed each on its own: `regions` of each map, whose first columns are `borders` (and the end of the last).
+void setSegments(RectificationBlock& map, std::span<const double> borders, std::uint32_t regions) {
+  map.segmentCount = 0;
+  map.segmentStart[0] = 0;
+  for (std::size_t i = 0; i + 1 < borders.size(); ++i)
+    for (std::uint32_t region = 1; region <= regions; ++region) {
+      const double end = borders[i] + (borders[i + 1] - borders[i]) * region / regions;
+      const bool last = region == regions && i + 2 == borders.size();
+      // The end of a projective map is a border wherever it lies: the next map's columns are others.
+      const bool whole = region == regions && map.splits > 1;
+      const auto aligned = last || whole ? static_cast<std::uint32_t>(std::lround(end))
+                                         : static_cast<std::uint32_t>(std::ceil(end / kSegmentAlignment)) * kSegmentAlignment;
+      const std::uint32_t start = map.segmentStart[map.segmentCount];
+      if (aligned > start && aligned <= std::lround(borders.back())) map.segmentStart[++map.segmentCount] = aligned;
+    }
+}
+
+/// Columns at which parts of the whole map begin, and its end: the maps of the splits. An epipolar map that stands in for projective
+/// ones is parted as they would be, so that a switch between both changes neither the number of look-ups nor what joining them brings.
+/// `projective`: the projective map, if there is one for this view.
+std::vector<double> mapBorders(const RectificationBlock& map, std::uint32_t splits, float znear, const std::optional<LinearFrame>& projective) {
+  std::vector<double> borders;
+  if (map.slicing == kSlicesByTangent || splits <= 1 || map.reach <= 0) {
+    for (std::uint32_t i = 0; i <= map.splits; ++i) borders.push_back(static_cast<double>(map.columns) * i);
+    return borders;
+  }
+  std::array<double, kMaxSplits + 1> along{};
+  if (projective && projective->block.polygonCount > 0) {
+    for (std::uint32_t i = 0; i <= splits; ++i) along[i] = 1.0 / projective->block.inverse[i];
+  } else {
+    // With the light near the screen the projective maps begin at about a quarter of the near plane's distance.
+    along = splitBorders(std::min(0.25 * znear, 0.5 * map.reach), map.reach, splits, map.columns / splits);
+  }
+  for (std::uint32_t i = 0; i <= splits; ++i) borders.push_back((along[i] - along[0]) / (along[splits] - along[0]) * map.columns);
+  return borders;
 }
 
 /// Where a direction meets the screen, pixels; far off the screen if it never does.
@@ -33,31 +67,25 @@ glm::vec2 onScreen(const RayBlock& rays, const glm::vec3& direction) {
   return (ndc + 1.0f) / rays.pixelScale;
 }
 
-/// The map of this frame and, if it is projective, the matrices of its splits.
+/// Chooses the map of this frame, parts it, and fills the matrices of its splits if it is projective.
 RectificationBlock chooseMap(const FrameContext& context, const RectificationInput& input, std::uint32_t light) {
   const Settings& settings = context.settings;
-  if (rectification(settings) != Rectification::kEpipolar) {
-    const auto linear = linearFrame(input, static_cast<std::uint32_t>(settings.splits));
-    if (!linear && rectification(settings) == Rectification::kLinear) context.report.linearImpossible = true;
-    if (linear && (rectification(settings) == Rectification::kLinear || isEvenEnough(*linear))) {
-      for (std::uint32_t i = 0; i < context.roles.splits; ++i) {
-        auto& matrix = context.block<glm::mat4>(context.roles.casterBlock + i, light);
-        matrix = linear->clipFromWorld[i];
-        if (linear->block.polygonCount == 0) context.skip(context.roles.casterPass + i, light);
-      }
-      context.skip(context.roles.rectifyPass, light);
-      return linear->block;
-    }
-    for (std::uint32_t i = 0; i < context.roles.splits; ++i) {
-      context.block<glm::mat4>(context.roles.casterBlock + i, light) = glm::mat4(0.0f);
-      context.skip(context.roles.casterPass + i, light);
-    }
-  }
-  // An epipolar map that stands in for projective ones has the columns and parts of all of them together: a switch between both then
-  // changes neither the number of look-ups nor the resolution.
+  const std::uint32_t splits = context.roles.splits;
+  std::optional<LinearFrame> linear;
+  if (rectification(settings) != Rectification::kEpipolar) linear = linearFrame(input, splits);
+  const bool useLinear = linear && (rectification(settings) == Rectification::kLinear || isEvenEnough(*linear));
+  context.report.linearImpossible |= !linear && rectification(settings) == Rectification::kLinear;
+
   RectificationInput wide = input;
-  wide.columns *= std::max(1u, context.roles.splits);
-  return epipolarBlock(wide);
+  wide.columns *= std::max(1u, splits);
+  RectificationBlock map = useLinear ? linear->block : epipolarBlock(wide);
+  setSegments(map, mapBorders(map, splits, input.rays.znear, linear), static_cast<std::uint32_t>(settings.regions));
+  if (useLinear) context.skip(context.roles.rectifyPass, light);
+  for (std::uint32_t i = 0; i < splits; ++i) {
+    context.block<glm::mat4>(context.roles.casterBlock + i, light) = useLinear ? linear->clipFromWorld[i] : glm::mat4(0.0f);
+    if (!useLinear || map.polygonCount == 0) context.skip(context.roles.casterPass + i, light);
+  }
+  return map;
 }
 
 }  // namespace
@@ -141,7 +169,6 @@ void prepareRectify(const FrameContext& context) {
     input.slices = static_cast<std::uint32_t>(settings.slices);
     input.spacing = static_cast<SliceSpacing>(settings.slice_spacing);
     block.map = chooseMap(context, input, i);
-    setSegments(block.map, static_cast<std::uint32_t>(settings.regions) * (block.map.columns / input.columns));
     block.map.depthPower = 1.0f / (1.0f + settings.depth_warp);
     const glm::vec3 a = block.sun.towards;
     block.map.shadowAlong = block.sun.shadowX * a.x + block.sun.shadowY * a.y + block.sun.shadowZ * a.z;

@@ -60,10 +60,3 @@ float columnAt(Slice s, float c) {
   float b = light.map.inverse[i + 1u];
   return (float(i) + clamp((a - inverse) / (a - b), 0.0, 1.0)) * columns;
 }
-
-// The segment that `column` (a texel) lies in: its first column and the first one behind it.
-uvec2 segmentOf(uint column) {
-  uint base = column / light.map.columns * light.map.columns;
-  uint start = base + (column - base) / light.map.segmentColumns * light.map.segmentColumns;
-  return uvec2(start, min(start + light.map.segmentColumns, base + light.map.columns));
-}
