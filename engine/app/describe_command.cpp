@@ -9,8 +9,10 @@
 namespace tyndall::app {
 namespace {
 
-/// Views of the engine, then those of every technique of the effect. Without a device the latter are left out with a note.
-std::vector<DebugViewText> debugViews(std::unique_ptr<Catalogue>& catalogue, const std::string& deviceName, std::vector<std::string>& notes) {
+/// Views of the engine, then those of every technique of the effect, and what its automatic parameters stand for here. Without a device
+/// the latter two are left out with a note.
+std::vector<DebugViewText> debugViews(std::unique_ptr<Catalogue>& catalogue, const std::string& deviceName, std::vector<AutomaticText>& automatics,
+                                      std::vector<std::string>& notes) {
   std::vector<DebugViewText> views;
   for (const render::DebugViewInfo& view : render::Renderer::debugViews()) views.push_back({view.name, "engine", view.doc, {}});
   gpu::DeviceOptions options;
@@ -33,6 +35,7 @@ std::vector<DebugViewText> debugViews(std::unique_ptr<Catalogue>& catalogue, con
       if (known == views.end()) known = views.insert(known, {view.name, plugin.id(), view.doc, {}});
       if (!technique.empty()) known->techniques.push_back(technique);
     }
+    for (const auto& [parameter, value] : (*effect)->remembered()) automatics.push_back({technique, parameter, value});
   };
   if (plugin.selector() >= plugin.parameters().size()) {
     add("");
@@ -55,7 +58,7 @@ std::string range(const params::Parameter& p) {
   return text;
 }
 
-std::string describeText(const Catalogue& catalogue, const std::vector<DebugViewText>& views) {
+std::string describeText(const Catalogue& catalogue, const std::vector<DebugViewText>& views, const std::vector<AutomaticText>& automatics) {
   std::string text = "plugins\n";
   for (const auto& plugin : catalogue.plugins()) {
     text += "  " + plugin->id() + " " + plugin->version() + " - " + plugin->name() + " (" + plugin->path().string() + ")\n    " + plugin->doc() + "\n";
@@ -66,6 +69,10 @@ std::string describeText(const Catalogue& catalogue, const std::vector<DebugView
   for (const params::Parameter& p : catalogue.table().parameters()) {
     text += "  " + p.id + " = " + params::toText(p, p.defaultValue) + (p.unit.empty() ? "" : " " + p.unit) + "   [" + range(p) + "]\n    " + p.doc + "\n";
   }
+  if (!automatics.empty()) text += "\nfastest on this device (1280x720, present sizes)\n";
+  for (const AutomaticText& a : automatics)
+    text += "  " + (a.technique.empty() ? "" : a.technique + ": ") + a.parameter + "=auto is " +
+            (a.value.empty() ? "not measured yet; the first frames that are rendered do it" : a.value) + "\n";
   text += "\ndebug views\n";
   for (const DebugViewText& view : views) {
     std::string of;
@@ -81,8 +88,9 @@ Result<void> runDescribe(const DescribeOptions& options) {
   auto catalogue = loadSettings({{}, {}, options.pluginFolder});
   if (!catalogue) return catalogue.error();
   std::vector<std::string> notes;
-  const std::vector<DebugViewText> views = debugViews(*catalogue, options.device, notes);
-  if (auto done = print(options.json ? describeJson(**catalogue, views) : describeText(**catalogue, views)); !done) return done;
+  std::vector<AutomaticText> automatics;
+  const std::vector<DebugViewText> views = debugViews(*catalogue, options.device, automatics, notes);
+  if (auto done = print(options.json ? describeJson(**catalogue, views, automatics) : describeText(**catalogue, views, automatics)); !done) return done;
   tell((*catalogue)->warnings(), notes);
   return {};
 }

@@ -107,7 +107,7 @@ std::string statsJson(const RenderOptions& options, Session& session, const Rend
   return dump(j);
 }
 
-std::string describeJson(const Catalogue& catalogue, const std::vector<DebugViewText>& views) {
+std::string describeJson(const Catalogue& catalogue, const std::vector<DebugViewText>& views, const std::vector<AutomaticText>& automatics) {
   Json j;
   j["plugins"] = Json::array();
   for (const auto& plugin : catalogue.plugins()) {
@@ -120,6 +120,9 @@ std::string describeJson(const Catalogue& catalogue, const std::vector<DebugView
   for (const params::Parameter& parameter : catalogue.table().parameters()) j["parameters"].push_back(parameterJson(parameter));
   j["debug_views"] = Json::array();
   for (const DebugViewText& view : views) j["debug_views"].push_back({{"name", view.name}, {"owner", view.owner}, {"doc", view.doc}, {"techniques", view.techniques}});
+  j["automatic"] = Json::array();
+  for (const AutomaticText& a : automatics)
+    j["automatic"].push_back({{"technique", a.technique}, {"parameter", a.parameter}, {"value", a.value.empty() ? Json() : Json(a.value)}});
   return dump(j);
 }
 

@@ -17,6 +17,10 @@ struct DebugViewText {
   std::string name, owner, doc;
   std::vector<std::string> techniques;  ///< of the effect, that have the view; empty: there whatever the technique
 };
-std::string describeJson(const Catalogue& catalogue, const std::vector<DebugViewText>& views);
+/// What the effect's technique makes of parameters on automatic on this device, as far as it was measured ("" where not).
+struct AutomaticText {
+  std::string technique, parameter, value;
+};
+std::string describeJson(const Catalogue& catalogue, const std::vector<DebugViewText>& views, const std::vector<AutomaticText>& automatics);
 
 }  // namespace tyndall::app

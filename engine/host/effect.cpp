@@ -81,18 +81,8 @@ std::vector<PluginDebugView> PluginEffect::debugViews() const {
     for (const LayoutDebugView& view : s.built->layout.debugViews) views.push_back({view.name, view.doc});
     return views;
   }
-  // A picture and a sun as they might be; nothing is made from this layout.
   Structure structure;
-  structure.width = 1280;
-  structure.height = 720;
-  structure.lightKinds = {TY_LIGHT_DIRECTIONAL};
-  structure.shadowSizes = {2048};
-  structure.shadowMoments = TY_FORMAT_RGBA16_UNORM;
-  for (const params::Parameter& p : s.plugin.parameters()) {
-    structure.values.push_back(s.table.value(p.id));
-    structure.structural.push_back(p.structural);
-  }
-  if (auto layout = s.ask(structure))
+  if (auto layout = s.preview(structure))
     for (const LayoutDebugView& view : layout->debugViews) views.push_back({view.name, view.doc});
   return views;
 }
@@ -135,6 +125,20 @@ std::vector<std::pair<std::string, std::string>> PluginEffect::resolved() const 
                         params::toText(p, a.tunable.variants[s.tuner.current(a.key, a.tunable.variants).variant]));
   }
   return in_use;
+}
+
+std::vector<std::pair<std::string, std::string>> PluginEffect::remembered() const {
+  State& s = *state_;
+  std::vector<std::pair<std::string, std::string>> known;
+  Structure structure;
+  const auto layout = s.preview(structure);
+  if (!layout) return known;
+  for (const State::Automatic& a : s.automaticsOf(structure, *layout)) {
+    const params::Parameter& p = s.plugin.parameters()[a.tunable.parameter];
+    const double* fastest = s.tuner.remembered(a.key);
+    known.emplace_back(p.id, fastest ? params::toText(p, *fastest) : "");
+  }
+  return known;
 }
 
 std::vector<std::string> PluginEffect::reloadShaders() {

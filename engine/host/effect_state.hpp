@@ -35,6 +35,10 @@ struct PluginEffect::State {
   };
 
   Result<Layout> ask(const Structure& structure);
+  /// A layout for the table's values, a picture and a sun as they might be; nothing is made from it.
+  Result<Layout> preview(Structure& structure);
+  /// The tunables of a layout whose parameters are on automatic.
+  std::vector<Automatic> automaticsOf(const Structure& wanted, const Layout& layout) const;
   Result<void> build(Structure structure, bool castersOffered);
   Result<void> update(const Structure& asked, bool castersOffered);
   bool prepare(const render::EffectInput& input, const Structure& asked);

@@ -27,6 +27,29 @@ Result<Layout> PluginEffect::State::ask(const Structure& structure) {
   return layout;
 }
 
+Result<Layout> PluginEffect::State::preview(Structure& structure) {
+  structure.width = 1280;
+  structure.height = 720;
+  structure.lightKinds = {TY_LIGHT_DIRECTIONAL};
+  structure.shadowSizes = {2048};
+  structure.shadowMoments = TY_FORMAT_RGBA16_UNORM;
+  for (const params::Parameter& p : plugin.parameters()) {
+    structure.values.push_back(table.value(p.id));
+    structure.structural.push_back(p.structural);
+  }
+  return ask(structure);
+}
+
+std::vector<PluginEffect::State::Automatic> PluginEffect::State::automaticsOf(const Structure& wanted, const Layout& layout) const {
+  std::vector<Automatic> found;
+  for (const LayoutTunable& t : layout.tunables) {
+    const params::Parameter& p = plugin.parameters()[t.parameter];
+    if (wanted.values[t.parameter] == t.automatic)
+      found.push_back({tunableKey(plugin.id() + ' ' + plugin.version(), deviceName(device.info()), p.id, t, layout), t});
+  }
+  return found;
+}
+
 Result<void> PluginEffect::State::build(Structure structure, bool castersOffered) {
   auto layout = ask(structure);
   if (!layout) return layout.error();
@@ -71,12 +94,7 @@ Result<void> PluginEffect::State::update(const Structure& wanted, bool castersOf
     built.reset();
     auto layout = ask(wanted);
     if (!layout) return layout.error();
-    for (const LayoutTunable& t : layout->tunables) {
-      const params::Parameter& p = plugin.parameters()[t.parameter];
-      if (wanted.values[t.parameter] == t.automatic)
-        automatics.push_back(
-            {tunableKey(plugin.id() + ' ' + plugin.version(), deviceName(device.info()), p.id, t, *layout), t});
-    }
+    automatics = automaticsOf(wanted, *layout);
   }
   Structure resolved = wanted;
   resolve(resolved);

@@ -47,7 +47,7 @@ std::string tunableKey(const std::string& plugin, const std::string& device, con
   std::string key = plugin + '|' + device + '|' + parameter + '|';
   for (const LayoutPass& pass : layout.passes) {
     if (std::find(tunable.passes.begin(), tunable.passes.end(), pass.name) == tunable.passes.end()) continue;
-    key += pass.name;
+    key += pass.name + '/' + pass.shader;
     for (const std::uint32_t groups : pass.d.groups) key += ':' + std::to_string(std::bit_width(groups));
     key += ' ';
   }

@@ -37,6 +37,8 @@ class Tuner {
     bool settled = false;
   };
   Choice current(const std::string& key, const std::vector<double>& variants);
+  /// The variant that was found fastest, in this program or an earlier one; null if it was not measured.
+  const double* remembered(const std::string& key) const { return store_.find(key); }
   /// The time of one frame that ran with `variant`; ignored unless it is the one being timed.
   void add(const std::string& key, std::size_t variant, double milliseconds);
 
@@ -50,7 +52,7 @@ class Tuner {
   std::map<std::string, Entry> entries_;
 };
 
-/// Names what a choice holds for: the plugin's build, the device, the parameter, and the size of the work - the power
+/// Names what a choice holds for: the plugin's build, the device, the parameter, the timed passes' shaders and the size of their work - the power
 /// of two of each timed pass's groups, so that a window dragged wider does not start the timing anew at every pixel.
 std::string tunableKey(const std::string& plugin, const std::string& device, const std::string& parameter,
                        const LayoutTunable& tunable, const Layout& layout);

@@ -101,6 +101,24 @@ TEST_F(Describe, LevelsAreTheSamples) {
   EXPECT_EQ(outcome.out, "forest\nhall\n");
 }
 
+// What is fastest on a device is known once a frame was rendered with it, and described from then on.
+TEST_F(Describe, SaysWhatWasMeasured) {
+  const Environment own = {{"XDG_CACHE_HOME", folder_.string()}};
+  const std::string small = "volumetrics.technique=moments4";
+  const auto automatic = [&](const std::string& technique) {
+    for (const json& a : json::parse(tyndall({"describe", "--json"}, own).out).at("automatic"))
+      if (a.at("technique") == technique && a.at("parameter") == "volumetrics.prefix_scheme") return a.at("value");
+    ADD_FAILURE() << technique;
+    return json();
+  };
+  EXPECT_TRUE(automatic("moments4").is_null());
+  ASSERT_EQ(tyndall({"render", "hall", "--size", "64x36", "--set", small, "--out", "a.png"}, own).status, 0);
+  const json found = automatic("moments4");
+  EXPECT_TRUE(found == "row" || found == "block" || found == "scan") << found;
+  EXPECT_TRUE(automatic("fourier").is_null()) << "another kernel, not measured";
+  EXPECT_NE(tyndall({"describe"}, own).out.find("moments4: volumetrics.prefix_scheme=auto is " + found.get<std::string>()), std::string::npos);
+}
+
 TEST_F(Describe, HelpAndVersion) {
   EXPECT_EQ(tyndall({"--help"}).status, 0);
   const Outcome help = tyndall({"render", "--help"});

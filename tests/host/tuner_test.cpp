@@ -84,6 +84,9 @@ TEST(Tuner, keyNamesWhatAChoiceHoldsFor) {
   EXPECT_NE(key, tunableKey("p 1.1", "gpu|driver", "fog.scheme", tunable, layout));
   EXPECT_NE(key, tunableKey("p 1.0", "other|driver", "fog.scheme", tunable, layout));
   EXPECT_NE(key, tunableKey("p 1.0", "gpu|driver", "fog.other", tunable, layout));
+  layout.passes[0].shader = "other.comp";
+  EXPECT_NE(key, tunableKey("p 1.0", "gpu|driver", "fog.scheme", tunable, layout)) << "another kernel";
+  layout.passes[0].shader.clear();
   layout.passes[0].d.groups[0] = 101;
   EXPECT_EQ(key, tunableKey("p 1.0", "gpu|driver", "fog.scheme", tunable, layout)) << "nearly the same size";
   layout.passes[0].d.groups[0] = 300;
