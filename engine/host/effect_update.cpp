@@ -42,10 +42,14 @@ Result<Layout> PluginEffect::State::preview(Structure& structure) {
 
 std::vector<PluginEffect::State::Automatic> PluginEffect::State::automaticsOf(const Structure& wanted, const Layout& layout) const {
   std::vector<Automatic> found;
+  // Techniques may share a kernel with other constants.
+  std::string owner = plugin.id() + ' ' + plugin.version();
+  if (plugin.selector() < plugin.parameters().size())
+    owner += ' ' + params::toText(plugin.parameters()[plugin.selector()], wanted.values[plugin.selector()]);
   for (const LayoutTunable& t : layout.tunables) {
     const params::Parameter& p = plugin.parameters()[t.parameter];
     if (wanted.values[t.parameter] == t.automatic)
-      found.push_back({tunableKey(plugin.id() + ' ' + plugin.version(), deviceName(device.info()), p.id, t, layout), t});
+      found.push_back({tunableKey(owner, deviceName(device.info()), p.id, t, layout), t});
   }
   return found;
 }
