@@ -80,6 +80,7 @@ std::uint32_t LayoutBuilder::uniform(std::string name, std::uint32_t bytes, bool
 }
 
 std::uint32_t LayoutBuilder::compute(ComputePass pass) {
+  pass.specializations.insert(pass.specializations.end(), common_.begin(), common_.end());
   passData_.push_back(std::move(pass));
   const ComputePass& data = passData_.back();
   TyPass made{};

@@ -42,6 +42,8 @@ class LayoutBuilder {
   std::uint32_t layersOf(std::uint32_t image) const { return images_[image].depth; }
   std::uint32_t buffer(const char* name, std::uint64_t bytes);
   std::uint32_t uniform(std::string name, std::uint32_t bytes, bool perLight);
+  /// Specialization constants that every compute pass from here on gets besides its own.
+  void specializeAll(std::vector<TySpecialization> constants) { common_ = std::move(constants); }
   /// Returns the pass's index.
   std::uint32_t compute(ComputePass pass);
   /// Rasterises the casters of every directional light, by the matrix at the start of `uniformBlock`, into one layer of a D32 image:
@@ -66,6 +68,7 @@ class LayoutBuilder {
   std::deque<std::vector<const char*>> passNames_;
   std::deque<std::string> names_;
   std::deque<TyTarget> targets_;
+  std::vector<TySpecialization> common_;
   LayoutRoles roles_;
   TyLayout layout_{};
 };

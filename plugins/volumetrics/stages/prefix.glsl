@@ -54,12 +54,22 @@ vec2 texelRange(vec3 depths) {
 // Integral of exp(-tau t) over [0, width], as a share of width: 1 for tau = 0, the papers' equal weights.
 float meanFalloff(float x) { return x < 1e-4 ? 1.0 - 0.5 * x : oneMinusExp(x) / x; }
 
-// The weight of the next column, `width` metres wide, for a reference ray of optical depth `tau` per metre of distance from the axis;
-// `power`, the transmittance from the segment's start, moves on to the column behind it.
-float nextWeight(inout float power, float tau, float width) {
+// A column for a reference ray: `power` is the transmittance from the segment's start to the column, its weight power * base, and
+// power * decay that of the next column.
+struct Walk {
+  float power, base, decay;
+};
+
+// A column of the given width at optical depth `tau` per metre of distance from the axis.
+void setWidth(inout Walk walk, float tau, float width) {
   float x = tau * width;
-  float weight = power * width * meanFalloff(x);
-  power *= exp(-x);
+  walk.base = width * meanFalloff(x);
+  walk.decay = exp(-x);
+}
+
+float nextWeight(inout Walk walk) {
+  float weight = walk.power * walk.base;
+  walk.power *= walk.decay;
   return weight;
 }
 
@@ -72,8 +82,7 @@ void main() {
   if (gl_WorkGroupID.y >= light.map.segmentCount) return;
   uint begin = light.map.segmentStart[gl_WorkGroupID.y];
   uint end = light.map.segmentStart[gl_WorkGroupID.y + 1u];
-  bool even = light.map.slicing != kSlicesByTangent;
-  float width = (s.last - s.first) / float(light.map.columns);
+  float width = (s.last - s.first) / float(light.map.columns);  // of every column, unless the map is projective
 
   uint lane = gl_LocalInvocationID.y;
   uint lanes = gl_WorkGroupSize.y;
@@ -86,12 +95,13 @@ void main() {
   }
 
   float tau[kReferenceRays];
-  float power[kReferenceRays];
+  Walk walk[kReferenceRays];
   float start = columnDistance(s, float(begin));
   float own = columnDistance(s, float(from));
   for (int k = 0; k < kReferenceRays; ++k) {
     tau[k] = referenceTau(s, k, kReferenceRays);
-    power[k] = exp(-tau[k] * (own - start));
+    walk[k].power = exp(-tau[k] * (own - start));
+    setWidth(walk[k], tau[k], width);
   }
   float total[kReferenceRays];
   vec4 value[kValues];
@@ -100,8 +110,8 @@ void main() {
   vec2 range = vec2(1.0, 0.0);
 
   if (kScan) {
-    float walk[kReferenceRays];
-    for (int k = 0; k < kReferenceRays; ++k) walk[k] = power[k];
+    float power[kReferenceRays];
+    for (int k = 0; k < kReferenceRays; ++k) power[k] = walk[k].power;
     float last = own;
     for (uint column = from; column < to; ++column) {
       vec3 depths = texelDepths(ivec2(slice, column));
@@ -109,15 +119,18 @@ void main() {
       range = vec2(min(range.x, reach.x), max(range.y, reach.y));
       vec4 basis[kVectors];
       texelBasis(ivec2(slice, column), depths, group, basis);
-      float next = even ? 0.0 : columnDistance(s, float(column + 1u));
-      float w = even ? width : next - last;
-      last = next;
+      if (byTangent()) {
+        float next = columnDistance(s, float(column + 1u));
+        for (int k = 0; k < kReferenceRays; ++k) setWidth(walk[k], tau[k], next - last);
+        last = next;
+      }
       for (int k = 0; k < kReferenceRays; ++k) {
-        float weight = nextWeight(walk[k], tau[k], w);
+        float weight = nextWeight(walk[k]);
         total[k] += weight;
         for (int i = 0; i < kVectors; ++i) value[k * kVectors + i] += basis[i] * weight;
       }
     }
+    for (int k = 0; k < kReferenceRays; ++k) walk[k].power = power[k];
     uint at = lane * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
     uint place = at * uint(kValues);
     for (int i = 0; i < kValues; ++i) sums[place + uint(i)] = value[i];
@@ -149,12 +162,14 @@ void main() {
     range = vec2(min(range.x, reach.x), max(range.y, reach.y));
     vec4 basis[kVectors];
     texelBasis(at, depths, group, basis);
-    float next = even ? 0.0 : columnDistance(s, float(column + 1u));
-    float w = even ? width : next - last;
-    last = next;
+    if (byTangent()) {
+      float next = columnDistance(s, float(column + 1u));
+      for (int k = 0; k < kReferenceRays; ++k) setWidth(walk[k], tau[k], next - last);
+      last = next;
+    }
     bool mine = kScan || column % lanes == lane;
     for (int k = 0; k < kReferenceRays; ++k) {
-      float weight = nextWeight(power[k], tau[k], w);
+      float weight = nextWeight(walk[k]);
       total[k] += weight;
       float share = total[k] > 0.0 ? weight / total[k] : 1.0;
       vec4 average[kVectors];

@@ -27,7 +27,7 @@ vec4 lookUp(sampler2DArray prefix, Place place, float layer) {
   if (kRowFilter == kRowMipmapped)
     return textureLod(prefix, vec3(place.slice * inverse.x, mix(place.columnB, place.columnA, place.weightA) * inverse.y, layer), place.lod);
   // In a projective map both rows have the ray's end in the same column: the sampler interpolates them.
-  if (kRowFilter == kRowLinear && light.map.slicing == kSlicesByTangent)
+  if (kRowFilter == kRowLinear && byTangent())
     return textureLod(prefix, vec3(place.slice * inverse.x, place.columnA * inverse.y, layer), 0.0);
   vec4 value = textureLod(prefix, vec3((float(place.rowA) + 0.5) * inverse.x, place.columnA * inverse.y, layer), 0.0);
   if (kRowFilter == kRowLinear)

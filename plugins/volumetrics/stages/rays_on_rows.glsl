@@ -32,7 +32,7 @@ int wrapSlice(int index) {
 }
 
 // Distance from the axis in the slice of `s` that a ray's end has: rows share columns along e1 in a projective map.
-float reachIn(Slice s, float reach, float x) { return light.map.slicing == kSlicesByTangent ? x * s.perX : reach; }
+float reachIn(Slice s, float reach, float x) { return byTangent() ? x * s.perX : reach; }
 
 RowRay rowRay(vec3 local, float end, bool interpolate) {
   RowRay ray;
@@ -50,7 +50,7 @@ RowRay rowRay(vec3 local, float end, bool interpolate) {
   ray.b.s = slices[ray.b.index];
   ray.a.column = columnAt(ray.a.s, reachIn(ray.a.s, ray.sine * end, local.x * end));
   ray.b.column = columnAt(ray.b.s, reachIn(ray.b.s, ray.sine * end, local.x * end));
-  if (light.map.slicing == kSlicesByTangent) {
+  if (byTangent()) {
     float perX = ray.sine / max(local.x, 1e-12);
     ray.first = ray.a.s.last > ray.a.s.first ? perX / light.map.inverse[0] : 0.0;
     ray.last = ray.a.s.last > ray.a.s.first ? perX / light.map.inverse[light.map.splits] : 0.0;
@@ -80,7 +80,7 @@ float visibleTransmittance(RowRay ray, float end) {
   float blocked = transmittanceIntegral(sigma_t, enter, leave) * (1.0 - meanVisibility(ray));
   // What a projective map does not reach, the decimetre up to the near plane, is seen as the eye is. (Klehm et al. 2014 let it share
   // the row's average, which made the forest 0.6 % too dark.)
-  if (light.map.nearLit == 0u) blocked += transmittanceIntegral(sigma_t, 0.0, enter) * blockedAt(light.sun, shadowMap, light.sun.shadowEye);
+  if (byTangent() && light.map.nearLit == 0u) blocked += transmittanceIntegral(sigma_t, 0.0, enter) * blockedAt(light.sun, shadowMap, light.sun.shadowEye);
   return all - blocked;
 }
 
@@ -101,7 +101,7 @@ void main() {
     bool interpolate = kRowFilter != kRowNearest;
     integral = visibleTransmittance(rowRay(local, end, interpolate), end);
     // Klehm et al. 2014, section 3.1: what the row says of the stretch up to the camera's near plane is taken off again.
-    if (frame.rectified.near_correction != 0 && light.map.slicing == kSlicesByTangent && light.map.nearLit == 0u) {
+    if (frame.rectified.near_correction != 0 && byTangent() && light.map.nearLit == 0u) {
       float near = min(perAxial * frame.rays.znear, end);
       integral -= visibleTransmittance(rowRay(local, near, interpolate), near);
     }

@@ -90,7 +90,9 @@ RectificationBlock chooseMap(const FrameContext& context, const RectificationInp
 
 }  // namespace
 
-void addRowBlocks(LayoutBuilder& builder) {
+void addRowBlocks(const Settings& settings, LayoutBuilder& builder) {
+  builder.specializeAll({{13, rectification(settings) != Rectification::kEpipolar ? 1u : 0u},
+                         {14, static_cast<SliceSpacing>(settings.slice_spacing) == SliceSpacing::kBorder ? 1u : 0u}});
   builder.uniform("frame", sizeof(RectifiedBlock), false);
   builder.uniform("sun", sizeof(RectifiedSunBlock), true);
 }

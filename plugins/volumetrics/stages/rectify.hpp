@@ -28,8 +28,8 @@ struct RectifyStage {
 /// Adds both blocks, passes "slices", "rectify" and, unless the rectification is epipolar alone, "rectify linear", once per sun.
 /// `filterable`: the technique can take two depths a texel (volumetrics.filtered_resampling).
 RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, DepthBits bits, bool filterable);
-/// Adds the two uniform blocks of addRectify(), which comes after.
-void addRowBlocks(LayoutBuilder& builder);
+/// Adds the two uniform blocks of addRectify(), which comes after, and the constants of stages/rows.glsl.
+void addRowBlocks(const Settings& settings, LayoutBuilder& builder);
 
 /// Fills both blocks but for the technique's own fields, and skips the passes of the rectification that this frame does not use.
 void prepareRectify(const FrameContext& context);

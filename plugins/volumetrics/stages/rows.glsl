@@ -3,11 +3,17 @@
 
 const float kPi = 3.14159265358979;
 
+// What the layout can come to: a branch that cannot be taken costs as much as one that is, on a device that runs both under masks.
+layout(constant_id = 13) const bool kProjective = true;
+layout(constant_id = 14) const bool kBorder = true;
+bool byTangent() { return kProjective && light.map.slicing == kSlicesByTangent; }
+bool byBorder() { return kBorder && light.map.slicing == kSlicesByBorder; }
+
 // Slice coordinate of a direction with components p along (e1, e2): slice i covers [i, i + 1].
 float sliceCoordinate(vec2 p) {
-  if (light.map.slicing == kSlicesByTangent) return (p.y / p.x - light.map.sliceLow) / light.map.sliceStep;
+  if (byTangent()) return (p.y / p.x - light.map.sliceLow) / light.map.sliceStep;
   float phi = atan(p.y, p.x);
-  if (light.map.slicing == kSlicesByAzimuth) return (phi - light.map.sliceLow) / light.map.sliceStep;
+  if (!byBorder()) return (phi - light.map.sliceLow) / light.map.sliceStep;
   uint i = 0u;
   while (i + 1u < light.map.edgeCount && phi > light.map.edges[i].phiEnd) ++i;
   BorderEdge edge = light.map.edges[i];
@@ -18,8 +24,8 @@ float sliceCoordinate(vec2 p) {
 
 // Unit direction along (e1, e2) of a slice coordinate.
 vec2 sliceDirection(float at) {
-  if (light.map.slicing == kSlicesByTangent) return normalize(vec2(1.0, light.map.sliceLow + at * light.map.sliceStep));
-  if (light.map.slicing == kSlicesByAzimuth) {
+  if (byTangent()) return normalize(vec2(1.0, light.map.sliceLow + at * light.map.sliceStep));
+  if (!byBorder()) {
     float phi = light.map.sliceLow + at * light.map.sliceStep;
     return vec2(cos(phi), sin(phi));
   }
@@ -42,7 +48,7 @@ uint totalColumns() { return light.map.columns * light.map.splits; }
 // Distance from the axis, m, at a column coordinate in [0, totalColumns()].
 float columnDistance(Slice s, float column) {
   float at = column / float(light.map.columns);
-  if (light.map.slicing != kSlicesByTangent) return mix(s.first, s.last, at);
+  if (!byTangent()) return mix(s.first, s.last, at);
   uint i = min(uint(at), light.map.splits - 1u);
   return s.perX / mix(light.map.inverse[i], light.map.inverse[i + 1u], at - float(i));
 }
@@ -50,7 +56,7 @@ float columnDistance(Slice s, float column) {
 // The column coordinate at distance c from the axis, clamped to the map.
 float columnAt(Slice s, float c) {
   float columns = float(light.map.columns);
-  if (light.map.slicing != kSlicesByTangent)
+  if (!byTangent())
     return s.last > s.first ? clamp((c - s.first) / (s.last - s.first), 0.0, 1.0) * columns : 0.0;
   if (s.last <= s.first) return 0.0;
   float inverse = s.perX / max(c, 1e-12);

@@ -41,7 +41,7 @@ void main() {
   record.perX = 1.0 / max(record.direction.x, 1e-6);
 
   vec2 span = light.map.polygonCount > 0u ? vec2(0.0, 1e30) : vec2(1.0, 0.0);
-  if (light.map.slicing == kSlicesByTangent) {
+  if (byTangent()) {
     if (light.map.polygonCount > 0u) span = record.perX / vec2(light.map.inverse[0], light.map.inverse[light.map.splits]);
   } else {
     for (uint j = 0u; j < light.map.polygonCount; ++j) {
@@ -77,6 +77,6 @@ void main() {
   record.shadowStep = light.sun.shadowX * world.x + light.sun.shadowY * world.y + light.sun.shadowZ * world.z;
   // A resampled blocker may stand as far off as one shadow texel; a rasterised one as far as half a column, to either side.
   float texelsAColumn = length(record.shadowStep.xy) * (span.y - span.x) / float(light.map.columns);
-  record.lookBack = light.map.slicing == kSlicesByTangent ? 2.0 : 1.0 + clamp(ceil(1.0 / max(texelsAColumn, 1e-6)), 1.0, kMostLookBack - 1.0);
+  record.lookBack = byTangent() ? 2.0 : 1.0 + clamp(ceil(1.0 / max(texelsAColumn, 1e-6)), 1.0, kMostLookBack - 1.0);
   slices[i] = record;
 }

@@ -3,7 +3,7 @@
 
 // Depths of the two blockers of a texel and the share of the second.
 vec3 texelDepths(ivec2 at) {
-  if (light.map.slicing == kSlicesByTangent) {
+  if (byTangent()) {
     int columns = int(light.map.columns);
     float stored = texelFetch(projective, ivec3(at.x, at.y % columns, at.y / columns), 0).x;
     vec2 direction = sliceDirection(float(at.x) + 0.5);

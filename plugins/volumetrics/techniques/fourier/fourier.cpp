@@ -18,7 +18,7 @@ enum class BasisEvaluation { kFused, kSeparate };
 
 void layout(const LayoutContext& context, LayoutBuilder& builder) {
   const Settings& settings = context.settings;
-  addRowBlocks(builder);
+  addRowBlocks(context.settings, builder);
   const bool add = beginSuns(context, builder, kFrameBlock);
   if (context.directionalLights == 0) return;
   const RectifyStage stage = addRectify(context, builder, DepthBits::k16, true);

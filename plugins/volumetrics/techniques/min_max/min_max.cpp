@@ -14,7 +14,7 @@ constexpr std::array kReads = {TY_RECTIFY_READS};
 constexpr std::uint32_t kChunk = 64;  // tree.glsl
 
 void layout(const LayoutContext& context, LayoutBuilder& builder) {
-  addRowBlocks(builder);
+  addRowBlocks(context.settings, builder);
   const bool add = beginSuns(context, builder, kFrameBlock);
   if (context.directionalLights == 0) return;
   // 16 bit hold resampled depths exactly as the map does; rasterised ones are 32-bit, and bounds must not be rounded.

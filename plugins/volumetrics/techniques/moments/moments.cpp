@@ -30,7 +30,7 @@ template <int kMoments>
 void layout(const LayoutContext& context, LayoutBuilder& builder) {
   const Settings& settings = context.settings;
   const MomentStorage storage = momentStorage(kMoments, static_cast<Precision>(settings.precision));
-  addRowBlocks(builder);
+  addRowBlocks(context.settings, builder);
   const bool add = beginSuns(context, builder, kFrameBlock);
   if (context.directionalLights == 0) return;
   const RectifyStage stage = addRectify(context, builder, storage.depth, true);
