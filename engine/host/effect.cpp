@@ -129,14 +129,20 @@ std::vector<std::pair<std::string, std::string>> PluginEffect::resolved() const 
 
 std::vector<std::pair<std::string, std::string>> PluginEffect::remembered() const {
   State& s = *state_;
+  // The last call of the plugin's layout() must stay the one that `built` was made from.
+  std::vector<State::Automatic> automatics = s.automatics;
+  if (!s.built) {
+    Structure structure;
+    const auto layout = s.preview(structure);
+    if (!layout) return {};
+    automatics = s.automaticsOf(structure, *layout);
+  }
   std::vector<std::pair<std::string, std::string>> known;
-  Structure structure;
-  const auto layout = s.preview(structure);
-  if (!layout) return known;
-  for (const State::Automatic& a : s.automaticsOf(structure, *layout)) {
+  for (const State::Automatic& a : automatics) {
     const params::Parameter& p = s.plugin.parameters()[a.tunable.parameter];
     const double* fastest = s.tuner.remembered(a.key);
-    known.emplace_back(p.id, fastest ? params::toText(p, *fastest) : "");
+    const bool valid = fastest && std::find(a.tunable.variants.begin(), a.tunable.variants.end(), *fastest) != a.tunable.variants.end();
+    known.emplace_back(p.id, valid ? params::toText(p, *fastest) : "");
   }
   return known;
 }

@@ -49,6 +49,13 @@ std::string tunableKey(const std::string& plugin, const std::string& device, con
     if (std::find(tunable.passes.begin(), tunable.passes.end(), pass.name) == tunable.passes.end()) continue;
     key += pass.name + '/' + pass.shader;
     for (const std::uint32_t groups : pass.d.groups) key += ':' + std::to_string(std::bit_width(groups));
+    for (const TySpecialization& s : pass.specializations) key += ',' + std::to_string(s.id) + '=' + std::to_string(s.value);
+    for (const TyBinding& b : pass.bindings) {
+      if (b.source != TY_SOURCE_IMAGE) continue;
+      const TyImage& image = layout.images[b.index].d;
+      key += ',' + std::to_string(image.format);
+      for (const std::uint32_t side : {image.width, image.height, image.depth}) key += 'x' + std::to_string(std::bit_width(side));
+    }
     key += ' ';
   }
   return key;

@@ -52,7 +52,8 @@ class Tuner {
   std::map<std::string, Entry> entries_;
 };
 
-/// Names what a choice holds for: the plugin's build, the device, the parameter, the timed passes' shaders and the size of their work - the power
+/// Names what a choice holds for: the plugin's build, the device, the parameter, the timed passes' shaders with their constants (those of the variant that
+/// stands for "automatic"), and the formats and sizes of their images - the power
 /// of two of each timed pass's groups, so that a window dragged wider does not start the timing anew at every pixel.
 std::string tunableKey(const std::string& plugin, const std::string& device, const std::string& parameter,
                        const LayoutTunable& tunable, const Layout& layout);

@@ -53,8 +53,7 @@ TEST(Effects, TheEpipoleBlockIsMarchedAndNothingElse) {
   EXPECT_LE(y1 - y0, 24u);
 }
 
-// Exact on its map: walking the tree must give what all columns of the row give, one by one (the view that the reference rays' error is
-// measured against uses the nearest row and no tree).
+// Exact on its map, so that only the map's resolution is left of its error.
 TEST(Effects, MoreColumnsAndSlicesBringMinMaxToTheMarch) {
   Laboratory lab("hall", 0, 160, 90);
   const Settings common = {"shadows.resolution=2048"};

@@ -14,8 +14,9 @@ namespace {
 const Settings kSmall = {"shadows.resolution=512", "volumetrics.columns=128", "volumetrics.slices=128", "volumetrics.prefix_scheme=row"};
 
 enum class Change {
-  kPicture,  ///< nRMSE above 2e-4
-  kSpeed,    ///< nRMSE below 4e-3: rounding to 8 bit may differ
+  kPicture,  ///< nRMSE above 1e-3
+  kSpeed,    ///< nRMSE below 5e-4: sums in another order
+  kNothing,  ///< equal to the bit
 };
 
 struct Pair {
@@ -41,18 +42,18 @@ const Pair kPairs[] = {
     {"min_max", "slices", Change::kPicture, "128", "256"},
     {"min_max", "slice_spacing", Change::kPicture, "azimuth", "border"},
     {"min_max", "row_filter", Change::kPicture, "nearest", "linear"},
-    {"min_max", "row_filter", Change::kSpeed, "linear", "mipmapped"},
+    {"min_max", "row_filter", Change::kNothing, "linear", "mipmapped"},
     {"min_max", "rectification", Change::kPicture, "linear", "epipolar"},
     {"min_max", "splits", Change::kPicture, "1", "3", {"volumetrics.rectification=linear"}},
-    {"min_max", "splits", Change::kSpeed, "1", "3"},  // epipolar maps are not split
-    {"min_max", "near_correction", Change::kSpeed, "false", "true"},
+    {"min_max", "splits", Change::kNothing, "1", "3"},  // epipolar maps are not split
+    {"min_max", "near_correction", Change::kNothing, "false", "true"},
     {"min_max", "epipole_block", Change::kPicture, "0", "20", {}, 1},
     {"fourier", "basis_count", Change::kPicture, "8", "32"},
     {"fourier", "basis_count", Change::kPicture, "30", "32"},
     {"fourier", "bases_per_thread", Change::kSpeed, "4", "32"},
     {"fourier", "basis_evaluation", Change::kSpeed, "fused", "separate", {"volumetrics.precision=full"}},
     {"fourier", "precision", Change::kPicture, "standard", "full"},
-    {"fourier", "precision", Change::kSpeed, "compact", "standard"},
+    {"fourier", "precision", Change::kNothing, "compact", "standard"},
     {"fourier", "depth_warp", Change::kPicture, "0", "1"},
     {"fourier", "row_filter", Change::kPicture, "linear", "mipmapped"},
     {"fourier", "prefix_bounds", Change::kPicture, "false", "true"},
@@ -60,18 +61,22 @@ const Pair kPairs[] = {
     {"moments6", "overestimation", Change::kPicture, "half", "adaptive"},
     {"moments6", "precision", Change::kPicture, "compact", "standard"},
     {"moments6", "precision", Change::kPicture, "standard", "full"},
-    {"moments4", "precision", Change::kPicture, "compact", "standard"},
-    {"moments4", "precision", Change::kSpeed, "standard", "full"},
+    {"moments4", "precision", Change::kPicture, "compact", "standard", {"volumetrics.overestimation=half"}},
+    {"moments4", "precision", Change::kNothing, "standard", "full"},
     {"moments6", "reference_rays", Change::kPicture, "1", "3"},
     {"moments6", "reference_ray", Change::kPicture, "bisectrix", "mean", {"volumetrics.reference_rays=1"}},
     {"moments6", "reference_ray", Change::kPicture, "optimum", "mean", {"volumetrics.reference_rays=1"}},
-    {"moments6", "reference_ray", Change::kSpeed, "bisectrix", "mean"},
+    {"moments6", "reference_ray", Change::kNothing, "bisectrix", "mean"},
     {"moments6", "weights", Change::kPicture, "average", "transmittance", {"medium.sigma_t=0.2"}},
     {"moments6", "prefix_bounds", Change::kPicture, "false", "true"},
     {"fourier", "filtered_resampling", Change::kPicture, "false", "true"},
     {"moments4", "filtered_resampling", Change::kPicture, "false", "true"},
     {"moments6", "filtered_resampling", Change::kPicture, "false", "true"},
     {"moments6", "regions", Change::kPicture, "1", "4"},
+    {"fourier", "regions", Change::kPicture, "1", "4"},
+    {"fourier", "reference_rays", Change::kPicture, "1", "3"},
+    {"moments4", "reference_rays", Change::kPicture, "1", "3"},
+    {"moments4", "overestimation", Change::kPicture, "half", "upper"},
     {"moments6", "near_correction", Change::kPicture, "false", "true", {"volumetrics.rectification=linear"}, 2},
     {"moments6", "prefix_scheme", Change::kSpeed, "row", "block"},
     {"moments6", "prefix_scheme", Change::kSpeed, "row", "scan"},
@@ -89,10 +94,10 @@ TEST(Pairs, EachParameterChangesWhatItShould) {
       const double apart = errorOf(a.scatter, b.scatter).nRmse;
       const std::string what = std::string(pair.technique) + ": " + id + pair.a + "|" + pair.b;
       std::printf("%-60s %.5f\n", what.c_str(), apart);
-      if (pair.change == Change::kPicture) {
-        EXPECT_GT(apart, 2e-4) << what;
-      } else {
-        EXPECT_LT(apart, 4e-3) << what;
+      switch (pair.change) {
+        case Change::kPicture: EXPECT_GT(apart, 1e-3) << what; break;
+        case Change::kSpeed: EXPECT_LT(apart, 5e-4) << what; break;
+        case Change::kNothing: EXPECT_EQ(a.scatter.values, b.scatter.values) << what; break;
       }
       // Nothing but the visibility of light depends on them: the transmittance to the surface stays.
       for (std::size_t i = 3; i < a.scatter.values.size(); i += 4) ASSERT_EQ(a.scatter.values[i], b.scatter.values[i]) << what;

@@ -1,6 +1,7 @@
 // rectification=auto: turning the camera until the light comes near the screen switches from the projective to the epipolar map. The picture
 // must not tell: at the view where it happens, the epipolar map's error against the dense march is at most a tenth above the
-// projective one's, and the switch, either way, changes the picture less than the step of the turn does.
+// projective one's (but for the moments in one view, see Turn), and the switch, either way, changes the picture less than the step
+// of the turn does.
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // The running average of prefix.glsl along one row, in float, with what it should have been.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -38,6 +39,39 @@ void runningAverage(const std::vector<float>& weights, bool compensated, Make&& 
       average[i] += step;
     }
     visit(column, average);
+  }
+}
+
+/// The same by the workgroup scan: `runs` runs of columns are averaged each on its own, and every run starts from the join of the averages
+/// before it.
+template <std::size_t N, class Make, class Visit>
+void scannedAverage(const std::vector<float>& weights, std::size_t runs, Make&& make, Visit&& visit) {
+  using Vectors = std::array<glm::vec4, N>;
+  struct State {
+    Vectors average{}, rest{};
+    float total = 0;
+    void take(const Vectors& next, float weight) {
+      total += weight;
+      const float share = total > 0 ? weight / total : 1.0f;
+      for (std::size_t i = 0; i < N; ++i) {
+        const glm::vec4 step = (next[i] - average[i]) * share + rest[i];
+        rest[i] = lib::f32::lostInSum(average[i], step);
+        average[i] += step;
+      }
+    }
+  };
+  const std::size_t length = (weights.size() + runs - 1) / runs;
+  std::vector<State> finished;
+  for (std::size_t from = 0; from < weights.size(); from += length) {
+    const std::size_t to = std::min(from + length, weights.size());
+    State own, joined;
+    for (std::size_t column = from; column < to; ++column) own.take(make(column), weights[column]);
+    for (const State& before : finished) joined.take(before.average, before.total);
+    finished.push_back(own);
+    for (std::size_t column = from; column < to; ++column) {
+      joined.take(make(column), weights[column]);
+      visit(column, joined.average);
+    }
   }
 }
 

@@ -228,7 +228,7 @@ TEST(LinearFrame, ViewRaysAreRowsOfConstantDepth) {
       }
     }
     // Columns grow within a split, so the longest is no shorter than if all were even; no split could be moved to shorten it.
-    EXPECT_GE(frame->longestColumn, frame->evenColumn * 0.99 / block.splits) << seed;
+    EXPECT_GE(frame->longestColumn, frame->evenColumn * 0.99) << seed;
     for (std::uint32_t split = 0; split < block.splits; ++split) {
       const double a = 1.0 / block.inverse[split], b = 1.0 / block.inverse[split + 1];
       const double step = (1 / a - 1 / b) / block.columns;

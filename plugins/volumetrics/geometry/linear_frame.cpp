@@ -127,7 +127,7 @@ std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uin
     last = first = nearest;
   }
   block.splits = splits;
-  frame.evenColumn = (last - first) / input.columns;
+  frame.evenColumn = (last - first) / (static_cast<double>(input.columns) * splits);
   const auto borders = splitBorders(first, last, splits, input.columns);
   for (std::uint32_t i = 0; i <= splits; ++i) block.inverse[i] = static_cast<float>(1 / borders[i]);
   if (block.polygonCount == 0) return frame;

@@ -13,8 +13,8 @@ struct LinearFrame {
   RectificationBlock block;
   /// Of each split: x runs over slices, y over the split's columns, z is the normalised depth, w the distance along e1.
   std::array<glm::mat4, kMaxSplits> clipFromWorld{};
-  /// Length along e1 of the longest column, the last of each split, and of one if a single map's columns were all equal, m (0: nothing
-  /// can be blocked).
+  /// Length along e1 of the longest column, the last of each split, and of one if as many as all maps have were all equal, as in the
+  /// epipolar map that stands in for them, m (0: nothing can be blocked).
   double longestColumn = 0, evenColumn = 0;
   /// Angle of the widest slice, in the middle, over that of one if all were equal.
   double widestSlice = 1;

@@ -7,7 +7,7 @@
   ENUM(rectification, "volumetrics.rectification", "Rectification", 2, 0, "auto|linear|epipolar",                        \
        TY_PARAMETER_STRUCTURAL,                                                                                          \
        "How the shadow map is turned so that view rays are rows: linear is one projective matrix, rasterised straight into; " \
-       "epipolar resamples the shadow map; auto takes linear where its columns are even enough and the light is off the " \
+       "epipolar resamples the shadow map; auto takes linear where its columns and slices are even enough and the light is off the " \
        "screen. Where no projective map exists (the light or its antipode in view), linear uses epipolar and says so.")  \
   INT(splits, "volumetrics.splits", "Splits", 1, 1, 4, 1, 4, "maps", TY_PARAMETER_STRUCTURAL,                            \
       "Maps of growing size that the linear rectification is split into, each of columns x slices texels. An epipolar map that stands " \
@@ -30,8 +30,8 @@
   ENUM(weights, "volumetrics.weights", "Weights", 1, 0, "average|transmittance", 0,                                      \
        "Weight of a column in the prefix: equal, or by the transmittance along the reference ray.")                      \
   BOOL(prefix_bounds, "volumetrics.prefix_bounds", "Prefix bounds", 1, 0, TY_PARAMETER_STRUCTURAL,                       \
-       "Keep the prefix minimum and maximum of the rectified depth: fully lit and fully shadowed rays are then exact "   \
-       "and need no reconstruction.")                                                                                    \
+       "Keep the prefix minimum and maximum of the rectified depth: fully lit and fully shadowed rays are then settled by one " \
+       "look-up, without ringing or leaking. The last columns, which may hold the surface that ends the ray, do not count.")                                                                                    \
   INT(regions, "volumetrics.regions", "Regions", 1, 1, 8, 1, 8, "", TY_PARAMETER_STRUCTURAL,                             \
       "Parts into which the columns of a map are split for the prefix: more parallel, one look-up more per region passed, " \
       "and joined with the ray's own weights.")                                                                          \
@@ -39,8 +39,8 @@
        TY_PARAMETER_STRUCTURAL,                                                                                          \
        "One invocation a slice, 8x8 blocks (Peters, appendix C), or a workgroup scan; auto measures which is fastest.")  \
   ENUM(row_filter, "volumetrics.row_filter", "Row filter", 1, 0, "nearest|linear|mipmapped", TY_PARAMETER_STRUCTURAL,    \
-       "Interpolation between slices when the prefix is read; mipmapped also averages slices that share a pixel. min_max, whose " \
-       "rows are depths, takes mipmapped as linear.")                                                                    \
+       "Interpolation between slices when the prefix is read; mipmapped also averages up to eight slices that share a pixel, by mips as " \
+       "far as they blur no more than a 512th of the columns, by taps beyond. min_max, whose rows are depths, takes it as linear.")                                                                    \
   BOOL(filtered_resampling, "volumetrics.filtered_resampling", "Filtered resampling", 0, 0, TY_PARAMETER_STRUCTURAL,     \
        "Resample from a filtered moment shadow map instead of single shadow-map texels.")                                \
   INT(epipole_block, "volumetrics.epipole_block", "Epipole block", 0, 0, 64, 0, 64, "pixels", 0,                         \

@@ -47,36 +47,44 @@ void main() {
   RowRay ray = rowRay(local, end, false);
   Slice s = ray.a.s;
 
+  // Segment by segment, as the look-up does: interpolated between the reference rays, joined with the ray's own weights.
   float ownTau = frame.rays.sigma_t / max(ray.sine, 1e-7);
-  float tau[kReferenceRays];
-  float lit[kReferenceRays];
-  float all[kReferenceRays];
-  for (int k = 0; k < kReferenceRays; ++k) {
-    tau[k] = referenceTau(s, k, kReferenceRays);
-    lit[k] = 0.0;
-    all[k] = 0.0;
-  }
+  float x = referencePlace(s.nodeLow, s.nodeHigh, cosecant(ray.theta));
   float ownLit = 0.0;
   float ownAll = 0.0;
-  int columns = int(ceil(ray.a.column));
-  for (int column = 0; column < columns; ++column) {
-    vec3 depths = texelDepths(ivec2(ray.a.index, column));
-    float visible = mix(ray.depth <= depths.x ? 1.0 : 0.0, ray.depth <= depths.y ? 1.0 : 0.0, depths.z);
-    float to = min(float(column + 1), ray.a.column);
-    float weight = weightBetween(s, ownTau, float(column), to);
-    ownLit += visible * weight;
-    ownAll += weight;
+  float joined = 0.0;
+  float joinedAll = 0.0;
+  for (uint i = 0u; i < light.map.segmentCount && float(light.map.segmentStart[i]) < ray.a.column; ++i) {
+    float lit[kReferenceRays];
+    float all_[kReferenceRays];
     for (int k = 0; k < kReferenceRays; ++k) {
-      weight = weightBetween(s, tau[k], float(column), to);
-      lit[k] += visible * weight;
-      all[k] += weight;
+      lit[k] = 0.0;
+      all_[k] = 0.0;
     }
+    float segmentAll = 0.0;
+    float last = min(float(light.map.segmentStart[i + 1u]), ray.a.column);
+    for (int column = int(light.map.segmentStart[i]); float(column) < last; ++column) {
+      vec3 depths = texelDepths(ivec2(ray.a.index, column));
+      float visible = mix(ray.depth <= depths.x ? 1.0 : 0.0, ray.depth <= depths.y ? 1.0 : 0.0, depths.z);
+      float to = min(float(column + 1), last);
+      float weight = weightBetween(s, ownTau, float(column), to);
+      ownLit += visible * weight;
+      segmentAll += weight;
+      for (int k = 0; k < kReferenceRays; ++k) {
+        weight = weightBetween(s, referenceTau(s, k, kReferenceRays), float(column), to);
+        lit[k] += visible * weight;
+        all_[k] += weight;
+      }
+    }
+    float interpolated = 0.0;
+    for (int k = 0; k < kReferenceRays; ++k)
+      interpolated += (kReferenceRays == 1 ? 1.0 : chebyshevLagrange(k, kReferenceRays, x)) * (all_[k] > 0.0 ? lit[k] / all_[k] : 1.0);
+    float weight = frame.rectified.weights == kWeightsTransmittance ? segmentAll : columnDistance(s, last) - columnDistance(s, float(light.map.segmentStart[i]));
+    joined += weight * clamp(interpolated, 0.0, 1.0);
+    joinedAll += weight;
+    ownAll += segmentAll;
   }
   float own = ownAll > 0.0 ? ownLit / ownAll : 1.0;
-  float x = referencePlace(s.nodeLow, s.nodeHigh, cosecant(ray.theta));
-  float interpolated = 0.0;
-  for (int k = 0; k < kReferenceRays; ++k)
-    interpolated += (kReferenceRays == 1 ? 1.0 : chebyshevLagrange(k, kReferenceRays, x)) * (all[k] > 0.0 ? lit[k] / all[k] : 1.0);
-  imageStore(scatter, ivec2(pixel),
-             vec4(ray.slice / float(light.map.slices), ray.theta / kPi, abs(clamp(interpolated, 0.0, 1.0) - own), own));
+  float shown = joinedAll > 0.0 ? joined / joinedAll : 1.0;
+  imageStore(scatter, ivec2(pixel), vec4(ray.slice / float(light.map.slices), ray.theta / kPi, abs(shown - own), own));
 }

@@ -1,6 +1,6 @@
 // Weighted prefix averages along the columns of a rectified map, for every reference ray (Klehm et al. 2014, section 3.3; Peters et
 // al. 2017, appendix C), in three schemes: one invocation a row (Klehm), 8x8 blocks in which eight invocations share a row and store
-// in turn (Peters), or a workgroup scan: each invocation sums a run of columns, reads what the runs before it summed, and goes
+// in turn (Peters), or a workgroup scan: each invocation averages a run of columns, joins what the runs before it averaged, and goes
 // through its run again. A segment (region of a row, or a split's map) starts anew.
 // A technique includes this after defining kVectors, the vectors of four that it averages (of one group of basis functions), and defines
 //   void basisAt(ivec2 at, float depth, int group, out vec4 v[kVectors])
@@ -31,7 +31,7 @@ void storePrefix(ivec2 at, int k, int group, vec4 v[kVectors]);
 const int kValues = kReferenceRays * kVectors;
 const int kRests = kCompensated ? kValues : 1;
 
-shared vec4 sums[kLanes * kValues];  // [lane][k][vector]
+shared vec4 averages[kLanes * kValues];  // [lane][k][vector]
 shared float totals[kLanes * kReferenceRays];
 shared vec2 ranges[kLanes];
 
@@ -73,6 +73,23 @@ float nextWeight(inout Walk walk) {
   return weight;
 }
 
+// Adds a weight to the total; its share of the new total.
+float shareOf(inout float total, float weight) {
+  total += weight;
+  return total > 0.0 ? weight / total : 1.0;
+}
+
+// Moves average j (of value[]) towards `next` by a share. A macro: a function would copy the arrays.
+#define TAKE(j, next, share)                              \
+  {                                                       \
+    vec4 move = ((next) - value[j]) * (share);            \
+    if (kCompensated) {                                   \
+      move += rest[kCompensated ? (j) : 0];               \
+      rest[kCompensated ? (j) : 0] = lostInSum(value[j], move); \
+    }                                                     \
+    value[j] += move;                                     \
+  }
+
 void main() {
   uint slice = gl_GlobalInvocationID.x;
   bool inside = slice < light.map.slices;
@@ -105,8 +122,10 @@ void main() {
   }
   float total[kReferenceRays];
   vec4 value[kValues];
+  vec4 rest[kRests];
   for (int k = 0; k < kReferenceRays; ++k) total[k] = 0.0;
   for (int i = 0; i < kValues; ++i) value[i] = vec4(0.0);
+  for (int i = 0; i < kRests; ++i) rest[i] = vec4(0.0);
   vec2 range = vec2(1.0, 0.0);
 
   if (kScan) {
@@ -114,46 +133,45 @@ void main() {
     for (int k = 0; k < kReferenceRays; ++k) power[k] = walk[k].power;
     float last = own;
     for (uint column = from; column < to; ++column) {
-      vec3 depths = texelDepths(ivec2(slice, column));
+      ivec2 at = ivec2(min(slice, light.map.slices - 1u), column);
+      vec3 depths = texelDepths(at);
       vec2 reach = texelRange(depths);
       range = vec2(min(range.x, reach.x), max(range.y, reach.y));
       vec4 basis[kVectors];
-      texelBasis(ivec2(slice, column), depths, group, basis);
+      texelBasis(at, depths, group, basis);
       if (byTangent()) {
         float next = columnDistance(s, float(column + 1u));
         for (int k = 0; k < kReferenceRays; ++k) setWidth(walk[k], tau[k], next - last);
         last = next;
       }
       for (int k = 0; k < kReferenceRays; ++k) {
-        float weight = nextWeight(walk[k]);
-        total[k] += weight;
-        for (int i = 0; i < kVectors; ++i) value[k * kVectors + i] += basis[i] * weight;
+        float share = shareOf(total[k], nextWeight(walk[k]));
+        for (int i = 0; i < kVectors; ++i) TAKE(k * kVectors + i, basis[i], share)
       }
     }
     for (int k = 0; k < kReferenceRays; ++k) walk[k].power = power[k];
     uint at = lane * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
     uint place = at * uint(kValues);
-    for (int i = 0; i < kValues; ++i) sums[place + uint(i)] = value[i];
+    for (int i = 0; i < kValues; ++i) averages[place + uint(i)] = value[i];
     for (int k = 0; k < kReferenceRays; ++k) totals[at * uint(kReferenceRays) + uint(k)] = total[k];
     ranges[at] = range;
     barrier();
     for (int k = 0; k < kReferenceRays; ++k) total[k] = 0.0;
     for (int i = 0; i < kValues; ++i) value[i] = vec4(0.0);
+    for (int i = 0; i < kRests; ++i) rest[i] = vec4(0.0);
     range = vec2(1.0, 0.0);
     for (uint other = 0u; other < lane; ++other) {
       uint there = other * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
-      for (int i = 0; i < kValues; ++i) value[i] += sums[there * uint(kValues) + uint(i)];
-      for (int k = 0; k < kReferenceRays; ++k) total[k] += totals[there * uint(kReferenceRays) + uint(k)];
+      for (int k = 0; k < kReferenceRays; ++k) {
+        float share = shareOf(total[k], totals[there * uint(kReferenceRays) + uint(k)]);
+        for (int i = 0; i < kVectors; ++i) TAKE(k * kVectors + i, averages[there * uint(kValues) + uint(k * kVectors + i)], share)
+      }
       range = vec2(min(range.x, ranges[there].x), max(range.y, ranges[there].y));
     }
-    for (int k = 0; k < kReferenceRays; ++k)
-      for (int i = 0; i < kVectors; ++i) value[k * kVectors + i] *= total[k] > 0.0 ? 1.0 / total[k] : 0.0;
     if (!inside) return;
   }
 
   // Averages instead of sums: rounding stays relative to the values, and low precision stores them (Klehm, listings 1 and 2).
-  vec4 rest[kRests];
-  for (int i = 0; i < kRests; ++i) rest[i] = vec4(0.0);
   float last = own;
   for (uint column = from; column < to; ++column) {
     ivec2 at = ivec2(slice, column);
@@ -169,19 +187,11 @@ void main() {
     }
     bool mine = kScan || column % lanes == lane;
     for (int k = 0; k < kReferenceRays; ++k) {
-      float weight = nextWeight(walk[k]);
-      total[k] += weight;
-      float share = total[k] > 0.0 ? weight / total[k] : 1.0;
+      float share = shareOf(total[k], nextWeight(walk[k]));
       vec4 average[kVectors];
       for (int i = 0; i < kVectors; ++i) {
-        int j = k * kVectors + i;
-        vec4 move = (basis[i] - value[j]) * share;
-        if (kCompensated) {
-          move += rest[j];
-          rest[j] = lostInSum(value[j], move);
-        }
-        value[j] += move;
-        average[i] = value[j];
+        TAKE(k * kVectors + i, basis[i], share)
+        average[i] = value[k * kVectors + i];
       }
       if (mine) storePrefix(at, k, group, average);
     }

@@ -5,6 +5,7 @@
 #include "stages/reference_rays.glsl"
 const float kHalfStep = 0.5 / 65535.0;  // of 16-bit unorm
 const float kMipLevels = 4.0;           // of a prefix with mips
+const float kWidestPixel = 8.0;         // slices
 
 // Where in a prefix image the sums of one segment up to the ray's end lie.
 struct Place {
@@ -12,6 +13,7 @@ struct Place {
   float weightA, weightB;
   float columnA, columnB; // texel coordinates along y, of texel centres (+ 1/2)
   float slice;            // texel coordinate along x between both
+  float wide;             // slices that the pixel covers
   float lod;
 };
 
@@ -24,8 +26,17 @@ float prefixTexel(float column, vec2 segment, float lod) {
 
 vec4 lookUp(sampler2DArray prefix, Place place, float layer) {
   vec2 inverse = 1.0 / vec2(float(light.map.slices), float(textureSize(prefix, 0).y));
-  if (kRowFilter == kRowMipmapped)
-    return textureLod(prefix, vec3(place.slice * inverse.x, mix(place.columnB, place.columnA, place.weightA) * inverse.y, layer), place.lod);
+  if (kRowFilter == kRowMipmapped) {
+    float column = mix(place.columnB, place.columnA, place.weightA) * inverse.y;
+    float taps = ceil(0.5 * place.wide * exp2(-place.lod));  // a trilinear tap spans two texels of its mip
+    vec4 sum = vec4(0.0);
+    for (float i = 0.5; i < taps; i += 1.0) {
+      float slice = place.slice + place.wide * (i / taps - 0.5);
+      if (light.map.fullCircle != 0u) slice = mod(slice, float(light.map.slices));
+      sum += textureLod(prefix, vec3(slice * inverse.x, column, layer), place.lod);
+    }
+    return sum / taps;
+  }
   // In a projective map both rows have the ray's end in the same column: the sampler interpolates them.
   if (kRowFilter == kRowLinear && byTangent())
     return textureLod(prefix, vec3(place.slice * inverse.x, place.columnA * inverse.y, layer), 0.0);
@@ -46,7 +57,7 @@ vec2 rangeBefore(Row row, vec2 segment, float column) {
 }
 
 // Mean visibility of one segment's columns before `columnA` and `columnB` of the two rows.
-float segmentVisibility(RowRay ray, vec2 segment, float columnA, float columnB, float lod) {
+float segmentVisibility(RowRay ray, vec2 segment, float columnA, float columnB, float wide, float lod) {
   if (kBounds) {
     vec2 range = rangeBefore(ray.a, segment, columnA);
     if (kRowFilter != kRowNearest) {
@@ -64,6 +75,7 @@ float segmentVisibility(RowRay ray, vec2 segment, float columnA, float columnB, 
   place.columnA = prefixTexel(columnA, segment, lod);
   place.columnB = prefixTexel(columnB, segment, lod);
   place.slice = ray.slice;
+  place.wide = wide;
   place.lod = lod;
   float v[kReferenceRays];
   visibilities(place, ray, v);
@@ -85,9 +97,9 @@ float ownWeight(RowRay ray, Slice s, float from, float to) {
   return transmittanceIntegral(frame.rays.sigma_t, a / safeSine, b / safeSine);
 }
 
-// Mip level at which a texel of the prefix is as wide as a pixel, in slices.
-float sliceLod(RowRay ray) {
-  if (kRowFilter != kRowMipmapped) return 0.0;
+// Width of a pixel, in slices, as far as it is averaged.
+float pixelSlices(RowRay ray) {
+  if (kRowFilter != kRowMipmapped) return 1.0;
   vec2 size = frame.rays.pixelScale;
   vec3 right = frame.rays.right * size.x;
   vec3 up = frame.rays.up * size.y;
@@ -100,11 +112,13 @@ float sliceLod(RowRay ray) {
     if (light.map.fullCircle != 0u) moved = min(moved, float(light.map.slices) - moved);
     widest = max(widest, moved);
   }
-  return clamp(log2(max(widest, 1.0)), 0.0, kMipLevels - 1.0);
+  return clamp(widest, 1.0, kWidestPixel);
 }
 
 float meanVisibility(RowRay ray) {
-  float lod = sliceLod(ray);
+  float wide = pixelSlices(ray);
+  // A mip averages columns too, and with them the ends of rays: no more than a 512th of a row.
+  float lod = clamp(log2(wide), 0.0, min(kMipLevels - 1.0, floor(log2(max(float(totalColumns()) / 512.0, 1.0)))));
   bool nearerA = ray.a.weight >= 0.5;
   float leading = nearerA ? ray.a.column : ray.b.column;
   uint last = min(uint(max(ceil(leading) - 1.0, 0.0)), totalColumns() - 1u);
@@ -115,11 +129,11 @@ float meanVisibility(RowRay ray) {
   for (; i + 1u < light.map.segmentCount && light.map.segmentStart[i + 1u] <= last; ++i) {
     vec2 segment = vec2(light.map.segmentStart[i], light.map.segmentStart[i + 1u]);
     float weight = ownWeight(ray, s, segment.x, segment.y);
-    sum += weight * segmentVisibility(ray, segment, segment.y, segment.y, lod);
+    sum += weight * segmentVisibility(ray, segment, segment.y, segment.y, wide, lod);
     total += weight;
   }
   vec2 end = vec2(light.map.segmentStart[i], light.map.segmentStart[i + 1u]);  // the segment in which the ray ends
-  float visible = segmentVisibility(ray, end, clamp(ray.a.column, end.x, end.y), clamp(ray.b.column, end.x, end.y), lod);
+  float visible = segmentVisibility(ray, end, clamp(ray.a.column, end.x, end.y), clamp(ray.b.column, end.x, end.y), wide, lod);
   if (i == 0u) return visible;
   float weight = ownWeight(ray, s, end.x, max(leading, end.x));
   sum += weight * visible;

@@ -75,13 +75,16 @@ float visibleTransmittance(RowRay ray, float end) {
   float safeSine = max(ray.sine, 1e-7);
   float enter = min(ray.first / safeSine, end);
   float leave = min(ray.last / safeSine, end);
-  float all = transmittanceIntegral(sigma_t, 0.0, end);
-  if (leave <= enter) return all;
+  float unshadowed = transmittanceIntegral(sigma_t, 0.0, end);
+  if (leave <= enter) return unshadowed;
   float blocked = transmittanceIntegral(sigma_t, enter, leave) * (1.0 - meanVisibility(ray));
   // What a projective map does not reach, the decimetre up to the near plane, is seen as the eye is. (Klehm et al. 2014 let it share
   // the row's average, which made the forest 0.6 % too dark.)
-  if (byTangent() && light.map.nearLit == 0u) blocked += transmittanceIntegral(sigma_t, 0.0, enter) * blockedAt(light.sun, shadowMap, light.sun.shadowEye);
-  return all - blocked;
+  vec2 eye = light.sun.shadowEye.xy;
+  bool covered = all(greaterThanEqual(eye, vec2(0.0))) && all(lessThan(eye, vec2(light.sun.shadowSize)));
+  if (byTangent() && light.map.nearLit == 0u && covered)
+    blocked += transmittanceIntegral(sigma_t, 0.0, enter) * blockedAt(light.sun, shadowMap, light.sun.shadowEye);
+  return unshadowed - blocked;
 }
 
 #ifndef TY_OWN_MAIN

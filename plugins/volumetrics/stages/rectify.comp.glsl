@@ -21,8 +21,8 @@ layout(binding = 3) uniform writeonly image2DArray rectified;
 
 #include "stages/rows.glsl"
 
-// Moments of 16 bit place the empty background (depth 1) this exactly.
-const float kEmpty = 1.0 - 2e-3;
+// The empty background (depth 1) is placed this exactly by moments of 16 bit, and by those of 32.
+const float kEmpty = kQuantisedMoments ? 1.0 - 2e-3 : 1.0 - 1e-5;
 
 // Samples of the moment shadow map for one texel, at most.
 const float kMostSamples = 8.0;

@@ -65,7 +65,10 @@ void main() {
   bool straddles = theta.x < 0.5 * kPi && theta.y > 0.5 * kPi;
   vec2 ends = vec2(straddles ? 1.0 : min(atLow, atHigh), max(atLow, atHigh));
   if (kReferenceRays == 1) {
-    ends = vec2(frame.rectified.reference_ray == kBisectrix ? cosecant(0.5 * (theta.x + theta.y))
+    // Klehm's rays are those of the longest and the shortest path: the bisectrix lies between their inclinations.
+    float farEnd = atLow > atHigh ? theta.x : theta.y;
+    float nearEnd = straddles ? 0.5 * kPi : atLow > atHigh ? theta.y : theta.x;
+    ends = vec2(frame.rectified.reference_ray == kBisectrix ? cosecant(0.5 * (nearEnd + farEnd))
                 : frame.rectified.reference_ray == kMean    ? cosecant(light.map.meanTheta)
                                                             : sqrt(ends.x * ends.y));  // Klehm et al. 2014, section 3.2
   }

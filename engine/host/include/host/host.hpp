@@ -75,8 +75,8 @@ class PluginEffect : public render::Effect {
   std::vector<std::pair<std::string, std::uint64_t>> counters() const;
   /// What a tunable parameter resolved to ("volumetrics.prefix_scheme", "row"), measured or asked for.
   std::vector<std::pair<std::string, std::string>> resolved() const;
-  /// The same for every parameter on automatic in a layout made for the present values, without running: a picture of 1280x720 and one sun.
-  /// An empty value: the device has not been measured yet.
+  /// The same for every parameter on automatic, as measured in this program or an earlier one: of the current layout or, before the first
+  /// addPasses, of one made for the present values without running (1280x720, one sun). An empty value: not measured yet.
   std::vector<std::pair<std::string, std::string>> remembered() const;
   /// Call once per finished frame with its pass times: feeds the tuner of speed-only variants.
   void frameFinished(const std::vector<render::PassTime>& passes);

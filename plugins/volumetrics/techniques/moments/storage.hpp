@@ -19,7 +19,7 @@ struct MomentStorage {
   bool compensated;        ///< averaged by lib/average.glsl: the drift of plain averages would outweigh the bias
 };
 
-/// `moments` is 4 or 6. The biases are those of the paper, each at most 1.5 times the smallest that the stress test finds safe
+/// `moments` is 4 or 6. The biases are those of the paper, each at most 2.5 times the smallest that the stress test finds safe
 /// (docs/results/stress.md). Deviation: four moments in 32-bit float use 1e-6, not 3e-7. With 3e-7 rounding the moments to float
 /// alone breaks the bounds by up to 0.4 where blockers lie close together; from 6e-7 on it does not, and a device's arithmetic and
 /// filter get the rest.
