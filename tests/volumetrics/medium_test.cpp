@@ -76,6 +76,21 @@ TEST(Epipolar, RunningWeightsAddUpToTheTransmittanceWeights) {
   }
 }
 
+// The coordinate of the reference rays grows with the cosecant and comes back to it, in float.
+TEST(Epipolar, TheReferenceCoordinateIsInvertible) {
+  for (const float kappa : {1e-2f, 0.3f, 5.0f, 1000.0f}) {
+    float before = -1;
+    for (float c = 1; c <= 50; c *= 1.07f) {
+      const float coordinate = f32::referenceCoordinate(c, kappa);
+      EXPECT_GT(coordinate, before) << kappa;
+      before = coordinate;
+      EXPECT_NEAR(f32::referenceCosecant(coordinate, kappa) / c, 1, 2e-5) << kappa << ' ' << c;
+    }
+  }
+  EXPECT_FLOAT_EQ(f32::cosecant(1.5707963f), 1);
+  EXPECT_FLOAT_EQ(f32::cosecant(0), 50);  // floored
+}
+
 TEST(Epipolar, LagrangeWeightsReproducePolynomials) {
   for (int count = 1; count <= 6; ++count)
     for (double x = -1; x <= 1; x += 0.13)
