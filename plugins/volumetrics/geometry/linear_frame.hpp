@@ -10,7 +10,7 @@
 namespace volumetrics {
 
 struct LinearFrame {
-  RectificationBlock block;
+  RectificationBlock block{};
   /// Of each split: x runs over slices, y over the split's columns, z is the normalised depth, w the distance along e1.
   std::array<glm::mat4, kMaxSplits> clipFromWorld{};
   /// Length along e1 of the longest column, the last of each split, and of one if as many as all maps have were all equal, as in the

@@ -54,7 +54,8 @@ void main() {
   float ownAll = 0.0;
   float joined = 0.0;
   float joinedAll = 0.0;
-  for (uint i = 0u; i < light.map.segmentCount && float(light.map.segmentStart[i]) < ray.a.column; ++i) {
+  for (uint i = 0u; i < light.map.segmentCount && float(segmentBorder(s, i)) < ray.a.column; ++i) {
+    float first = float(segmentBorder(s, i));
     float lit[kReferenceRays];
     float all_[kReferenceRays];
     for (int k = 0; k < kReferenceRays; ++k) {
@@ -62,8 +63,8 @@ void main() {
       all_[k] = 0.0;
     }
     float segmentAll = 0.0;
-    float last = min(float(light.map.segmentStart[i + 1u]), ray.a.column);
-    for (int column = int(light.map.segmentStart[i]); float(column) < last; ++column) {
+    float last = min(float(segmentBorder(s, i + 1u)), ray.a.column);
+    for (int column = int(first); float(column) < last; ++column) {
       vec3 depths = texelDepths(ivec2(ray.a.index, column));
       float visible = mix(ray.depth <= depths.x ? 1.0 : 0.0, ray.depth <= depths.y ? 1.0 : 0.0, depths.z);
       float to = min(float(column + 1), last);
@@ -79,7 +80,7 @@ void main() {
     float interpolated = 0.0;
     for (int k = 0; k < kReferenceRays; ++k)
       interpolated += (kReferenceRays == 1 ? 1.0 : chebyshevLagrange(k, kReferenceRays, x)) * (all_[k] > 0.0 ? lit[k] / all_[k] : 1.0);
-    float weight = frame.rectified.weights == kWeightsTransmittance ? segmentAll : columnDistance(s, last) - columnDistance(s, float(light.map.segmentStart[i]));
+    float weight = frame.rectified.weights == kWeightsTransmittance ? segmentAll : columnDistance(s, last) - columnDistance(s, first);
     joined += weight * clamp(interpolated, 0.0, 1.0);
     joinedAll += weight;
     ownAll += segmentAll;

@@ -97,8 +97,8 @@ void main() {
   Slice s = slices[min(slice, light.map.slices - 1u)];
   int group = int(gl_WorkGroupID.z);
   if (gl_WorkGroupID.y >= light.map.segmentCount) return;
-  uint begin = light.map.segmentStart[gl_WorkGroupID.y];
-  uint end = light.map.segmentStart[gl_WorkGroupID.y + 1u];
+  uint begin = segmentBorder(s, gl_WorkGroupID.y);
+  uint end = segmentBorder(s, gl_WorkGroupID.y + 1u);
   float width = (s.last - s.first) / float(light.map.columns);  // of every column, unless the map is projective
 
   uint lane = gl_LocalInvocationID.y;

@@ -56,12 +56,16 @@ vec2 rangeBefore(Row row, vec2 segment, float column) {
   return texelFetch(bounds, ivec2(row.index, clamp(int(texel), int(segment.x), int(segment.y) - 1)), 0).xy;
 }
 
-// Mean visibility of one segment's columns before `columnA` and `columnB` of the two rows.
-float segmentVisibility(RowRay ray, vec2 segment, float columnA, float columnB, float wide, float lod) {
+// Mean visibility of one segment's columns before `columnA` and `columnB` of the two rows. A segment may be empty in a row.
+float segmentVisibility(RowRay ray, vec2 segmentA, vec2 segmentB, float columnA, float columnB, float wide, float lod) {
+  bool hasA = segmentA.y > segmentA.x;
+  bool hasB = kRowFilter != kRowNearest && segmentB.y > segmentB.x;
+  if (!hasA && !hasB) return 1.0;
   if (kBounds) {
-    vec2 range = rangeBefore(ray.a, segment, columnA);
-    if (kRowFilter != kRowNearest) {
-      vec2 other = rangeBefore(ray.b, segment, columnB);
+    vec2 range = vec2(1.0, 0.0);
+    if (hasA) range = rangeBefore(ray.a, segmentA, columnA);
+    if (hasB) {
+      vec2 other = rangeBefore(ray.b, segmentB, columnB);
       range = vec2(min(range.x, other.x), max(range.y, other.y));
     }
     if (ray.depth <= range.x - kHalfStep || range.x >= 1.0) return 1.0;
@@ -70,10 +74,10 @@ float segmentVisibility(RowRay ray, vec2 segment, float columnA, float columnB, 
   Place place;
   place.rowA = ray.a.index;
   place.rowB = ray.b.index;
-  place.weightA = ray.a.weight;
-  place.weightB = ray.b.weight;
-  place.columnA = prefixTexel(columnA, segment, lod);
-  place.columnB = prefixTexel(columnB, segment, lod);
+  place.weightA = hasB ? (hasA ? ray.a.weight : 0.0) : 1.0;
+  place.weightB = hasB ? (hasA ? ray.b.weight : 1.0) : 0.0;
+  place.columnA = prefixTexel(columnA, segmentA, lod);
+  place.columnB = prefixTexel(columnB, segmentB, lod);
   place.slice = ray.slice;
   place.wide = wide;
   place.lod = lod;
@@ -121,21 +125,29 @@ float meanVisibility(RowRay ray) {
   float lod = clamp(log2(wide), 0.0, min(kMipLevels - 1.0, floor(log2(max(float(totalColumns()) / 512.0, 1.0)))));
   bool nearerA = ray.a.weight >= 0.5;
   float leading = nearerA ? ray.a.column : ray.b.column;
-  uint last = min(uint(max(ceil(leading) - 1.0, 0.0)), totalColumns() - 1u);
+  float last = clamp(ceil(leading) - 1.0, 0.0, float(totalColumns()) - 1.0);
   Slice s = slices[nearerA ? ray.a.index : ray.b.index];
   float sum = 0.0;
   float total = 0.0;
   uint i = 0u;
-  for (; i + 1u < light.map.segmentCount && light.map.segmentStart[i + 1u] <= last; ++i) {
-    vec2 segment = vec2(light.map.segmentStart[i], light.map.segmentStart[i + 1u]);
-    float weight = ownWeight(ray, s, segment.x, segment.y);
-    sum += weight * segmentVisibility(ray, segment, segment.y, segment.y, wide, lod);
-    total += weight;
+  vec2 a = vec2(0.0, float(segmentBorder(ray.a.s, 1u)));
+  vec2 b = vec2(0.0, float(segmentBorder(ray.b.s, 1u)));
+  // Whole segments, and then the one in which the ray ends.
+  while (i + 1u < light.map.segmentCount && (nearerA ? a.y : b.y) <= last) {
+    vec2 own = nearerA ? a : b;
+    if (own.y > own.x) {
+      float weight = ownWeight(ray, s, own.x, own.y);
+      sum += weight * segmentVisibility(ray, a, b, a.y, b.y, wide, lod);
+      total += weight;
+    }
+    ++i;
+    a = vec2(a.y, float(segmentBorder(ray.a.s, i + 1u)));
+    b = vec2(b.y, float(segmentBorder(ray.b.s, i + 1u)));
   }
-  vec2 end = vec2(light.map.segmentStart[i], light.map.segmentStart[i + 1u]);  // the segment in which the ray ends
-  float visible = segmentVisibility(ray, end, clamp(ray.a.column, end.x, end.y), clamp(ray.b.column, end.x, end.y), wide, lod);
+  float visible = segmentVisibility(ray, a, b, clamp(ray.a.column, a.x, a.y), clamp(ray.b.column, b.x, b.y), wide, lod);
   if (i == 0u) return visible;
-  float weight = ownWeight(ray, s, end.x, max(leading, end.x));
+  float start = nearerA ? a.x : b.x;
+  float weight = ownWeight(ray, s, start, max(leading, start));
   sum += weight * visible;
   total += weight;
   return total > 0.0 ? sum / total : 1.0;

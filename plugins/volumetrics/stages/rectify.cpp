@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -21,32 +18,21 @@ constexpr std::uint32_t kSegmentAlignment = 8;
 
 Rectification rectification(const Settings& settings) { return static_cast<Rectification>(settings.rectification); }
 
-/// Parts that are prefixed each on its own: `regions` of each map, whose first columns are `borders` (and the end of the last).
-void setSegments(RectificationBlock& map, std::span<const double> borders, std::uint32_t regions) {
+/// Parts that are prefixed each on its own: `regions` of each map.
+void setSegments(RectificationBlock& map, std::uint32_t regions) {
   map.segmentCount = 0;
   map.segmentStart[0] = 0;
-  for (std::size_t i = 0; i + 1 < borders.size(); ++i)
-    for (std::uint32_t region = 1; region <= regions; ++region) {
-      const double end = borders[i] + (borders[i + 1] - borders[i]) * region / regions;
-      const bool last = region == regions && i + 2 == borders.size();
-      // The end of a projective map is a border wherever it lies: the next map's columns are others.
-      const bool whole = region == regions && map.splits > 1;
-      const auto aligned = last || whole ? static_cast<std::uint32_t>(std::lround(end))
-                                         : static_cast<std::uint32_t>(std::ceil(end / kSegmentAlignment)) * kSegmentAlignment;
-      const std::uint32_t start = map.segmentStart[map.segmentCount];
-      if (aligned > start && aligned <= std::lround(borders.back())) map.segmentStart[++map.segmentCount] = aligned;
-    }
+  const std::uint32_t even = (map.columns + regions - 1) / regions;
+  const std::uint32_t length = (even + kSegmentAlignment - 1) / kSegmentAlignment * kSegmentAlignment;
+  for (std::uint32_t split = 0; split < map.splits; ++split)
+    for (std::uint32_t start = 0; start < map.columns; start += length)
+      map.segmentStart[++map.segmentCount] = split * map.columns + std::min(start + length, map.columns);
 }
 
-/// Columns at which parts of the whole map begin, and its end: the maps of the splits. An epipolar map that stands in for projective
-/// ones is parted as they would be, so that a switch between both changes neither the number of look-ups nor what joining them brings.
-/// `projective`: the projective map, if there is one for this view.
-std::vector<double> mapBorders(const RectificationBlock& map, std::uint32_t splits, float znear, const std::optional<LinearFrame>& projective) {
-  std::vector<double> borders;
-  if (map.slicing == kSlicesByTangent || splits <= 1 || map.reach <= 0) {
-    for (std::uint32_t i = 0; i <= map.splits; ++i) borders.push_back(static_cast<double>(map.columns) * i);
-    return borders;
-  }
+/// An epipolar map that stands in for projective ones is parted where they would be, so that a switch between both changes neither the
+/// number of look-ups nor what joining them brings. `projective`: the projective map, if there is one for this view.
+void setSegmentsByDistance(RectificationBlock& map, std::uint32_t splits, std::uint32_t regions, float znear,
+                           const std::optional<LinearFrame>& projective) {
   std::array<double, kMaxSplits + 1> along{};
   if (projective && projective->block.polygonCount > 0) {
     for (std::uint32_t i = 0; i <= splits; ++i) along[i] = 1.0 / projective->block.inverse[i];
@@ -54,8 +40,14 @@ std::vector<double> mapBorders(const RectificationBlock& map, std::uint32_t spli
     // With the light near the screen the projective maps begin at about a quarter of the near plane's distance.
     along = splitBorders(std::min(0.25 * znear, 0.5 * map.reach), map.reach, splits, map.columns / splits);
   }
-  for (std::uint32_t i = 0; i <= splits; ++i) borders.push_back((along[i] - along[0]) / (along[splits] - along[0]) * map.columns);
-  return borders;
+  map.segmentsByDistance = 1;
+  map.segmentCount = splits * regions;
+  for (std::uint32_t split = 0; split < splits; ++split)
+    for (std::uint32_t region = 0; region < regions; ++region) {
+      // Columns of a projective map, and so its regions, are even in 1/x.
+      const double share = static_cast<double>(region) / regions;
+      map.segmentDistance[split * regions + region] = static_cast<float>(1 / ((1 - share) / along[split] + share / along[split + 1]));
+    }
 }
 
 /// Where a direction meets the screen, pixels; far off the screen if it never does.
@@ -79,7 +71,11 @@ RectificationBlock chooseMap(const FrameContext& context, const RectificationInp
   RectificationInput wide = input;
   wide.columns *= std::max(1u, splits);
   RectificationBlock map = useLinear ? linear->block : epipolarBlock(wide);
-  setSegments(map, mapBorders(map, splits, input.rays.znear, linear), static_cast<std::uint32_t>(settings.regions));
+  const auto regions = static_cast<std::uint32_t>(settings.regions);
+  if (!useLinear && splits > 1 && map.reach > 0)
+    setSegmentsByDistance(map, splits, regions, input.rays.znear, linear);
+  else
+    setSegments(map, regions);
   if (useLinear) context.skip(context.roles.rectifyPass, light);
   for (std::uint32_t i = 0; i < splits; ++i) {
     context.block<glm::mat4>(context.roles.casterBlock + i, light) = useLinear ? linear->clipFromWorld[i] : glm::mat4(0.0f);

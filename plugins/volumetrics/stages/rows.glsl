@@ -66,3 +66,12 @@ float columnAt(Slice s, float c) {
   float b = light.map.inverse[i + 1u];
   return (float(i) + clamp((a - inverse) / (a - b), 0.0, 1.0)) * columns;
 }
+
+// Column at which segment i of a slice begins, i up to the number of segments (where the last ends).
+uint segmentBorder(Slice s, uint i) {
+  if (!kProjective || light.map.segmentsByDistance == 0u) return light.map.segmentStart[i];
+  if (i == 0u) return 0u;
+  if (i >= light.map.segmentCount) return light.map.columns;
+  float reach = light.map.segmentDistance[i] * (light.map.fullCircle != 0u ? 1.0 : s.perX);
+  return min(8u * uint(columnAt(s, reach) * 0.125 + 0.5), light.map.columns);  // whole eights: mips do not mix two segments
+}
