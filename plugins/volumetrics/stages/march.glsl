@@ -54,8 +54,8 @@ float blockedByTransmittance(SunBlock sun, sampler2DArray shadowMap, vec3 step_,
   return blocked * inverse;
 }
 
-// Integral of visible transmittance over [0, end] by a march fine enough to meet every shadow texel on the way (at most `most`
-// samples; a device may end loops of more than 65,535).
+// Integral of visible transmittance over [0, end] by a march fine enough to meet every shadow texel on the way, as long as `most` samples,
+// which a device's limit of 65,535 iterations asks for, suffice for that.
 float denselyMarched(SunBlock sun, sampler2DArray shadowMap, vec3 direction, float end, float sigma_t, int most) {
   vec3 step_ = shadowStep(sun, direction);
   vec2 interval = shadowedPart(sun, step_, end);
