@@ -6,7 +6,7 @@
 
 #include "params/common.params.h"
 #include "params/rectified.params.h"
-#include "params/reserved.params.h"
+#include "techniques/exact/exact.params.h"
 #include "techniques/fourier/fourier.params.h"
 #include "techniques/moments/moments.params.h"
 #include "techniques/ray_march/ray_march.params.h"
@@ -18,7 +18,7 @@
   TY_RECTIFIED_PARAMS(INT, FLOAT, ENUM, BOOL)   \
   TY_MOMENTS_PARAMS(INT, FLOAT, ENUM, BOOL)     \
   TY_FOURIER_PARAMS(INT, FLOAT, ENUM, BOOL)     \
-  TY_RESERVED_PARAMS(INT, FLOAT, ENUM, BOOL)
+  TY_EXACT_PARAMS(INT, FLOAT, ENUM, BOOL)
 
 namespace volumetrics {
 

@@ -3,6 +3,7 @@
 //   void visibilities(Place place, RowRay ray, out float v[kReferenceRays])   one for each reference ray, not yet clamped
 // Segments are joined with the weights of the ray's own inclination: exact, whatever the reference rays.
 #include "stages/reference_rays.glsl"
+#include "stages/row_weights.glsl"
 const float kHalfStep = 0.5 / 65535.0;  // of 16-bit unorm
 const float kMipLevels = 4.0;           // of a prefix with mips
 const float kWidestPixel = 8.0;         // slices
@@ -90,15 +91,6 @@ float segmentVisibility(RowRay ray, vec2 segmentA, vec2 segmentB, float columnA,
   float sum = 0.0;
   for (int k = 0; k < kReferenceRays; ++k) sum += chebyshevLagrange(k, kReferenceRays, x) * v[k];
   return clamp(sum, 0.0, 1.0);
-}
-
-// What the columns from coordinate `from` to `to` of a row weigh along the ray itself.
-float ownWeight(RowRay ray, Slice s, float from, float to) {
-  float a = columnDistance(s, from);
-  float b = columnDistance(s, to);
-  if (frame.rectified.weights != kWeightsTransmittance) return b - a;
-  float safeSine = max(ray.sine, 1e-7);
-  return transmittanceIntegral(frame.rays.sigma_t, a / safeSine, b / safeSine);
 }
 
 // Width of a pixel, in slices, as far as it is averaged.

@@ -1,0 +1,179 @@
+// exact: layout and uniforms. Kernels: stages/slices, stages/rectify, exact_build or exact_scan, exact_evaluate.
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "layout_builder.hpp"
+#include "stages/debug_views.hpp"
+#include "stages/suns.hpp"
+#include "technique.hpp"
+
+namespace volumetrics {
+namespace {
+
+constexpr std::array kReads = {TY_RECTIFY_READS,          "volumetrics.reference_rays", "volumetrics.reference_ray",
+                               "volumetrics.weights",     "volumetrics.prefix_bounds",  "volumetrics.prefix_scheme",
+                               "volumetrics.precision",   "volumetrics.levels"};
+
+/// A device may end loops after so many iterations of one invocation; some are left for what is not counted here.
+constexpr std::uint32_t kMostIterations = 60000;
+/// Levels that an invocation a row builds in the block scheme, before an invocation a node takes over: 8 nodes a row.
+constexpr std::uint32_t kRowLevels = 3;
+constexpr std::uint32_t kMostBinBits = 12;
+/// What every device has at least (Vulkan 1.3, required limits).
+constexpr std::uint32_t kLeastSharedBytes = 16384, kLeastInvocations = 128;
+constexpr std::uint32_t kMostScanLanes = 256;
+
+/// Shape of the matrices: what tree.glsl and the shaders are specialized with.
+struct Matrix {
+  std::uint32_t bits, levels, binBits, vectors;
+  std::uint32_t elements() const { return 1u << bits; }
+};
+
+Matrix matrixOf(const Settings& settings, std::uint32_t columns) {
+  Matrix matrix{};
+  matrix.bits = static_cast<std::uint32_t>(std::bit_width(columns - 1));
+  matrix.levels = settings.levels == 0 ? matrix.bits : std::min(static_cast<std::uint32_t>(settings.levels), matrix.bits);
+  matrix.binBits = std::min(matrix.bits + 1, kMostBinBits);
+  matrix.vectors = (static_cast<std::uint32_t>(settings.reference_rays) + 4) / 4;
+  return matrix;
+}
+
+/// Levels [first, last) that one pass of exact_build.comp builds.
+struct LevelRange {
+  std::uint32_t first, last;
+};
+
+/// Passes of exact_build.comp that build all levels: as few as a device's limit of iterations allows, or, for the block scheme, so that
+/// all but the first levels are built by many invocations a row on little memory each.
+std::vector<LevelRange> buildPasses(const Matrix& matrix, bool block) {
+  const std::uint32_t sorting = 2 * matrix.elements() + 2 * (1u << matrix.binBits);
+  if (!block && sorting + matrix.levels * matrix.elements() <= kMostIterations) return {{0, matrix.levels}};
+  const std::uint32_t row = std::min(kRowLevels, matrix.levels);
+  std::vector<LevelRange> passes;
+  if (sorting + row * matrix.elements() > kMostIterations) passes.push_back({0, 0});
+  passes.push_back({0, row});
+  if (matrix.levels > row) passes.push_back({row, matrix.levels});
+  return passes;
+}
+
+/// Invocations of a workgroup that builds one row; 0 where shared memory does not hold a row. A software device has nothing to hide
+/// behind others, so there one subgroup does.
+std::uint32_t scanLanes(const TyDevice& device, const Matrix& matrix, std::uint32_t rays) {
+  const std::uint32_t shared = std::max(device.max_shared_memory, kLeastSharedBytes);
+  const std::uint32_t quads = (1 + 2 * rays + 3) / 4;
+  std::uint32_t lanes = std::min({std::bit_floor(std::max(device.max_workgroup_invocations, kLeastInvocations)), kMostScanLanes,
+                                  matrix.elements() / 4});
+  if (device.is_cpu != 0) lanes = std::min(lanes, std::bit_floor(std::max(device.subgroup_size, 1u)));
+  const std::uint32_t least = std::min(lanes, 16u);
+  while (lanes >= least && 4 * matrix.elements() + lanes * (32 * quads + 8) + 4 > shared) lanes /= 2;
+  return lanes >= least ? lanes : 0;
+}
+
+std::vector<TySpecialization> constantsOf(const Matrix& matrix, const Settings& settings) {
+  return {{1, static_cast<std::uint32_t>(settings.reference_rays)},
+          {3, settings.prefix_bounds != 0 ? 1u : 0u},
+          {16, matrix.bits},
+          {17, matrix.levels},
+          {18, matrix.binBits},
+          {19, matrix.vectors}};
+}
+
+struct Images {
+  std::uint32_t bounds, levels, ranks;
+};
+
+void addBuild(const LayoutContext& context, LayoutBuilder& builder, const RectifyStage& stage, const Matrix& matrix, const Images& images) {
+  const auto scheme = static_cast<PrefixScheme>(context.settings.prefix_scheme);
+  const std::vector<TyBinding> bindings{uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock),
+                                        bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), sampledAt(3, stage.rectified),
+                                        sampledAt(4, stage.projective), storageAt(5, images.bounds), storageAt(6, images.levels),
+                                        storageAt(7, images.ranks)};
+  const std::uint32_t lanes = scanLanes(context.device, matrix, static_cast<std::uint32_t>(context.settings.reference_rays));
+  if (scheme == PrefixScheme::kScan && lanes > 0) {
+    ComputePass scan{"build", "exact_scan.comp", bindings, stage.slices, 1, 1, true, constantsOf(matrix, context.settings)};
+    scan.specializations.push_back({10, lanes});
+    builder.compute(std::move(scan));
+    return;
+  }
+  const std::vector<LevelRange> passes = buildPasses(matrix, scheme != PrefixScheme::kRow);
+  // Between two passes the order of columns is kept here; a single texel stands in where it is never touched.
+  const bool several = passes.size() > 1;
+  const std::uint32_t order = builder.image("order", TY_FORMAT_R32_UINT, several ? stage.slices : 1, several ? matrix.elements() : 1);
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const auto& [first, last] = passes[i];
+    const bool save = i + 1 < passes.size();
+    ComputePass pass{"build", "exact_build.comp", bindings, (stage.slices + 31) / 32, 1u << first, 1,
+                     true, constantsOf(matrix, context.settings)};
+    pass.bindings.push_back(storageAt(8, order, i == 0 ? TY_ACCESS_STORAGE_WRITE : TY_ACCESS_STORAGE_READ_WRITE));
+    for (const auto& [id, value] : {std::pair{20u, first}, {21u, last}, {22u, i == 0 ? 1u : 0u}, {23u, save ? 1u : 0u}})
+      pass.specializations.push_back({id, value});
+    builder.compute(std::move(pass));
+  }
+}
+
+void layout(const LayoutContext& context, LayoutBuilder& builder) {
+  const Settings& settings = context.settings;
+  addRowBlocks(settings, builder);
+  const bool add = beginSuns(context, builder, kFrameBlock);
+  if (context.directionalLights == 0) return;
+  const RectifyStage stage = addRectify(context, builder, DepthBits::k16, false);
+  const Matrix matrix = matrixOf(settings, stage.rows);
+  const bool full = static_cast<Precision>(settings.precision) == Precision::kFull;
+  Images images{};
+  images.bounds = settings.prefix_bounds != 0 ? builder.image("prefix_bounds", TY_FORMAT_RG16_UNORM, stage.slices, stage.rows)
+                                              : builder.image("prefix_bounds", TY_FORMAT_RG16_UNORM, 1, 1);
+  images.levels = builder.image("levels", full ? TY_FORMAT_RGBA32_FLOAT : TY_FORMAT_RGBA16_UNORM, stage.slices, matrix.elements(),
+                                matrix.levels * matrix.vectors, true);
+  images.ranks = builder.image("ranks", TY_FORMAT_R16_UNORM, stage.slices, (1u << matrix.binBits) + 1);
+  addBuild(context, builder, stage, matrix, images);
+
+  const auto evaluate = [&](const char* name, const TyBinding& result, bool first, bool steps) {
+    ComputePass pass{name, "exact_evaluate.comp",
+                     {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), sceneDepthAt(2),
+                      bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4), result, sampledAt(6, images.bounds),
+                      sampledAt(7, stage.rectified), sampledAt(8, stage.projective), sampledAt(9, images.levels),
+                      sampledAt(10, images.ranks)},
+                     groups8(context.structure.width), groups8(context.structure.height), 1, true, constantsOf(matrix, settings)};
+    for (const auto& [id, value] : {std::pair{5u, static_cast<std::uint32_t>(settings.row_filter)}, {6u, first ? 1u : 0u}, {7u, steps ? 1u : 0u}})
+      pass.specializations.push_back({id, value});
+    builder.compute(std::move(pass));
+  };
+  evaluate("evaluate", outputAt(5, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE), !add, false);
+  builder.tunable(prefixSchemeIndex(), static_cast<double>(PrefixScheme::kAuto),
+                  {static_cast<double>(PrefixScheme::kRow), static_cast<double>(PrefixScheme::kBlock),
+                   static_cast<double>(PrefixScheme::kScan)},
+                  {"build"});
+
+  const std::uint32_t steps = builder.image("steps", TY_FORMAT_RGBA32_FLOAT, context.structure.width, context.structure.height);
+  evaluate("debug steps", storageAt(5, steps), true, true);
+  builder.debugView("steps", "Levels walked by each pixel's ray, both rows together; white = 32", TY_SOURCE_IMAGE, steps, 0, 0, 0.0f, 32.0f);
+  for (std::uint32_t level = 0; level < matrix.levels; ++level) {
+    const std::string number = std::to_string(level);
+    builder.debugView("level_" + number + "_share",
+                      "Level " + number + " of the wavelet matrices: share of a prefix's weight in the nearer half of its node's depths, first "
+                      "reference ray",
+                      TY_SOURCE_IMAGE, images.levels, level * matrix.vectors, 1, 0.0f, 1.0f);
+  }
+  builder.debugView("ranks", "How many of a slice's depths lie before each depth (downwards); white = all", TY_SOURCE_IMAGE, images.ranks, 0, 0,
+                    0.0f, static_cast<float>(matrix.elements()) / 65535.0f);
+  if (settings.prefix_bounds != 0) {
+    builder.debugView("prefix_min", "Prefix minimum of the depth of the first blocker: rays below it are lit", TY_SOURCE_IMAGE,
+                      images.bounds, 0, 0, 0.0f, 1.0f);
+    builder.debugView("prefix_max", "Prefix maximum of the depth of the first blocker: rays above it are shadowed", TY_SOURCE_IMAGE,
+                      images.bounds, 0, 1, 0.0f, 1.0f);
+  }
+  addRowViews(context, builder, stage);
+  addDifferenceView(context, builder, kFrameBlock, kSunBlock);
+}
+
+constexpr std::array kTechniques = {
+    Technique{"exact", "Exact prefix visibility",
+              "Walks a wavelet matrix per rectified row: exact on its map, and as many steps whatever the scene.", kReads, layout,
+              prepareRectify}};
+
+}  // namespace
+
+std::span<const Technique> exactTechniques() { return kTechniques; }
+
+}  // namespace volumetrics

@@ -1,0 +1,124 @@
+// Builds the wavelet matrix of rectified rows (Claude, Navarro, Ordonez 2015, "The wavelet matrix", in rank space): an invocation a row, or, for
+// the levels below the first few, an invocation a node.
+// Inputs: rectified maps, or the order of columns that an earlier pass left. Outputs: `levels` (RGBA16 unorm or RGBA32F, see tree.glsl);
+// `ranks` (R16 unorm): texel b holds how many depths of the row lie in bins before b, over 65535; `bounds` (RG16 unorm): prefix
+// minimum and maximum of the depth; `order` (R32 uint): rank << 16 | column, from pass to pass.
+// Sorting: a counting sort by the depth's bin; equal bins keep their columns' order.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "lib/portable.h"
+#include "lib/medium.glsl"
+#include "lib/epipolar.glsl"
+#include "lib/wavelet.glsl"
+#include "stages/rectified.h"
+#include "techniques/exact/tree.glsl"
+
+layout(local_size_x = 32) in;
+layout(constant_id = 1) const int kReferenceRays = 1;
+layout(constant_id = 3) const bool kBounds = true;
+layout(constant_id = 20) const int kFirst = 0;   // levels of this pass: [kFirst, kLast)
+layout(constant_id = 21) const int kLast = 10;
+layout(constant_id = 22) const bool kSort = true;   // starts from the map; otherwise from `order`
+layout(constant_id = 23) const bool kSave = false;  // leaves `order` for the next pass
+const bool kFiltered = false;
+layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
+layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 2, scalar) readonly buffer Slices { Slice slices[]; };
+layout(binding = 3) uniform sampler2DArray rectified;
+layout(binding = 4) uniform sampler2DArray projective;
+layout(binding = 5) uniform writeonly image2D bounds;
+layout(binding = 6) uniform writeonly image2DArray levels;
+layout(binding = 7) uniform writeonly image2D ranks;
+layout(binding = 8, r32ui) uniform uimage2D order;
+
+#include "stages/rows.glsl"
+#include "stages/reference_rays.glsl"
+#include "stages/texel_depths.glsl"
+#include "techniques/exact/weights.glsl"
+
+const int kMine = kElements >> kFirst;  // elements of this invocation
+uint element[2 * kMine];                // the present level and the next, in turn
+uint offset_[kSort ? kBins : 1];
+
+// Ranks of the row's columns, in the order of columns.
+void sortRow(int slice) {
+  int columns = int(totalColumns());
+  for (int b = 0; b < kBins; ++b) offset_[b] = 0u;
+  vec2 range = vec2(1.0, 0.0);
+  for (int column = 0; column < kElements; ++column) {
+    uint bin = uint(kBins) - 1u;
+    if (column < columns) {
+      float depth = texelDepths(ivec2(slice, column)).x;
+      range = vec2(min(range.x, depth), max(range.y, depth));
+      if (kBounds) imageStore(bounds, ivec2(slice, column), vec4(range, 0.0, 0.0));
+      bin = uint(waveletBin(depth, kBinBits));
+    }
+    element[column] = bin;
+    ++offset_[bin];
+  }
+  uint before = 0u;
+  for (int b = 0; b < kBins; ++b) {
+    imageStore(ranks, ivec2(slice, b), vec4(float(before) / kCountScale));
+    uint own = offset_[b];
+    offset_[b] = before;
+    before += own;
+  }
+  imageStore(ranks, ivec2(slice, kBins), vec4(float(before) / kCountScale));
+  for (int column = 0; column < kElements; ++column) {
+    uint bin = element[column];
+    element[column] = offset_[bin] << 16 | uint(column);
+    ++offset_[bin];
+  }
+}
+
+void main() {
+  int slice = int(gl_GlobalInvocationID.x);
+  if (slice >= int(light.map.slices)) return;
+  int base = int(gl_WorkGroupID.y) * kMine;
+  if (kSort) {
+    sortRow(slice);
+  } else {
+    for (int i = 0; i < kMine; ++i) element[i] = imageLoad(order, ivec2(slice, base + i)).x;
+  }
+
+  Slice s = slices[slice];
+  float falloff[kReferenceRays];
+  setFalloff(s, falloff);
+  int from = 0;
+  for (int level = kFirst; level < kLast; ++level) {
+    int to = kMine - from;
+    int size = kElements >> level;
+    int start = 0;
+    int zeros = 0;
+    float ofZeros[kReferenceRays];
+    float ofAll[kReferenceRays];
+    for (int i = 0; i < kMine; ++i) {
+      if ((i & (size - 1)) == 0) {  // a node begins
+        start = i;
+        zeros = 0;
+        for (int k = 0; k < kReferenceRays; ++k) {
+          ofZeros[k] = 0.0;
+          ofAll[k] = 0.0;
+        }
+      }
+      uint own = element[from + i];
+      bool one = waveletOne(int(own >> 16), level, kBits);
+      int column = int(own & 0xffffu);
+      element[to + start + (one ? size / 2 + i - start - zeros : zeros)] = own;
+      zeros += one ? 0 : 1;
+      vec4 texel[kVectors];
+      texel[0].x = float(zeros) / kCountScale;
+      for (int k = 0; k < kReferenceRays; ++k) {
+        float weight = columnWeight(s, falloff[k], column);
+        ofAll[k] += weight;
+        ofZeros[k] += one ? 0.0 : weight;
+        texel[(k + 1) / 4][(k + 1) % 4] = waveletShare(ofZeros[k], ofAll[k]);
+      }
+      for (int v = 0; v < kVectors; ++v) imageStore(levels, ivec3(slice, base + i, level * kVectors + v), texel[v]);
+    }
+    from = to;
+  }
+  if (kSave)
+    for (int i = 0; i < kMine; ++i) imageStore(order, ivec2(slice, base + i), uvec4(element[from + i]));
+}
