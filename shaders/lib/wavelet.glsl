@@ -4,11 +4,11 @@
 // A query asks which share of the weight of the first elements of the row belongs to ranks below a real number `rank`: it follows
 // the bits of the rank, one node a level, and never asks for more than the shares of a prefix of a node.
 
-// Bin of a normalised depth in [0, 1], of 2^binBits.
+// Bin of a normalised depth: 2^binBits over [0, 1), and one more for 1, where nothing blocks.
 LIB int waveletBin(Real depth, int binBits) {
   int bins = 1 << binBits;
   int bin = int(depth * Real(bins));
-  return bin < 0 ? 0 : (bin > bins - 1 ? bins - 1 : bin);
+  return bin < 0 ? 0 : (bin > bins ? bins : bin);
 }
 
 // First position of the node of `level` that holds `rank`.
@@ -26,9 +26,10 @@ LIB Real2 waveletStep(Real2 found, Real share, bool one) {
   return one ? Real2(found.x + first, found.y - first) : Real2(found.x, first);
 }
 
-// The end: a node of 2^(bits - level) ranks is left, and weighed as if its weight were spread over them evenly.
-LIB Real waveletEnd(Real2 found, Real rank, int level, int bits) {
+// The end: a node of 2^(bits - level) ranks is left, and weighed as if its weight were spread over them evenly. `followed` is the whole
+// number whose bits were followed: the rank rounded down, or the last rank of all where every rank is below.
+LIB Real waveletEnd(Real2 found, Real rank, int followed, int level, int bits) {
   Real size = Real(1 << (bits - level));
-  Real into = (rank - Real(waveletNode(int(rank), level, bits))) / size;
+  Real into = (rank - Real(waveletNode(followed, level, bits))) / size;
   return found.x + found.y * clamp(into, R(0.0), R(1.0));
 }

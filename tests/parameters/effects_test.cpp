@@ -69,6 +69,45 @@ TEST(Effects, MoreColumnsAndSlicesBringMinMaxToTheMarch) {
   EXPECT_LT(last, 0.03);
 }
 
+// The walk of the wavelet matrix against the walk of the min-max tree: two ways to sum the same map, one by the reference rays' weights and by
+// bins of depth, the other by the ray's own. With six reference rays nothing but the bins is left; levels trade error for time.
+TEST(Effects, ExactIsTheDenseSumOfItsMap) {
+  Laboratory lab("hall", 0, 160, 90);
+  struct Map {
+    const char* name;
+    Settings settings;
+    double most;
+  };
+  const Map maps[] = {
+      {"epipolar 1024x256", {"volumetrics.columns=1024", "volumetrics.slices=256"}, 0.003},
+      {"epipolar, 700 columns", {"volumetrics.columns=700", "volumetrics.slices=256"}, 0.004},
+      {"epipolar, nearest rows", {"volumetrics.columns=1024", "volumetrics.slices=256", "volumetrics.row_filter=nearest"}, 0.003},
+      {"linear, 3 maps of 300", {"volumetrics.rectification=linear", "volumetrics.splits=3", "volumetrics.columns=300", "volumetrics.slices=256"}, 0.006},
+      {"epipolar, 4096 columns", {"volumetrics.columns=4096", "volumetrics.slices=64"}, 0.003},
+      {"linear, 4 maps of 2048", {"volumetrics.rectification=linear", "volumetrics.splits=4", "volumetrics.columns=2048", "volumetrics.slices=64"}, 0.006},
+  };
+  for (const Map& map : maps) {
+    const Settings base = Settings{"shadows.resolution=1024"} + map.settings;
+    const image::FloatImage dense = lab.shoot(base + Settings{"volumetrics.technique=min_max"}).scatter;
+    for (const char* scheme : {"row", "block", "scan"}) {
+      const double error = errorOf(lab.shoot(base + Settings{"volumetrics.technique=exact", "volumetrics.reference_rays=6",
+                                                             "volumetrics.prefix_scheme=" + std::string(scheme)}).scatter, dense).nRmse;
+      std::printf("exact, %s, %s: %.5f from the dense sum\n", map.name, scheme, error);
+      EXPECT_LT(error, map.most) << map.name << ' ' << scheme;
+    }
+  }
+  const Settings base = kSmall + Settings{"volumetrics.reference_rays=6"};
+  const image::FloatImage dense = lab.shoot(base + Settings{"volumetrics.technique=min_max"}).scatter;
+  double last = 1e9;
+  for (const char* levels : {"1", "2", "4", "6", "8"}) {
+    const double error = errorOf(lab.shoot(base + Settings{"volumetrics.technique=exact", "volumetrics.prefix_bounds=false",
+                                                           "volumetrics.levels=" + std::string(levels)}).scatter, dense).nRmse;
+    std::printf("exact, %s levels: %.5f from the dense sum\n", levels, error);
+    EXPECT_LT(error, 0.75 * last) << levels;
+    last = error;
+  }
+}
+
 // Shorter segments are joined with the ray's own weights: with one reference ray, more regions must bring the error of the weights down.
 TEST(Effects, RegionsTakeAwayTheErrorOfASingleReferenceRay) {
   Laboratory lab("hall", 0, 160, 90);

@@ -39,15 +39,15 @@ layout(binding = 8, r32ui) uniform uimage2D order;
 
 const int kMine = kElements >> kFirst;  // elements of this invocation
 uint element[2 * kMine];                // the present level and the next, in turn
-uint offset_[kSort ? kBins : 1];
+uint offset_[kSort ? kBins + 1 : 1];
 
 // Ranks of the row's columns, in the order of columns.
 void sortRow(int slice) {
   int columns = int(totalColumns());
-  for (int b = 0; b < kBins; ++b) offset_[b] = 0u;
+  for (int b = 0; b <= kBins; ++b) offset_[b] = 0u;
   vec2 range = vec2(1.0, 0.0);
   for (int column = 0; column < kElements; ++column) {
-    uint bin = uint(kBins) - 1u;
+    uint bin = uint(kBins);
     if (column < columns) {
       float depth = texelDepths(ivec2(slice, column)).x;
       range = vec2(min(range.x, depth), max(range.y, depth));
@@ -58,13 +58,12 @@ void sortRow(int slice) {
     ++offset_[bin];
   }
   uint before = 0u;
-  for (int b = 0; b < kBins; ++b) {
+  for (int b = 0; b <= kBins; ++b) {
     imageStore(ranks, ivec2(slice, b), vec4(float(before) / kCountScale));
     uint own = offset_[b];
     offset_[b] = before;
     before += own;
   }
-  imageStore(ranks, ivec2(slice, kBins), vec4(float(before) / kCountScale));
   for (int column = 0; column < kElements; ++column) {
     uint bin = element[column];
     element[column] = offset_[bin] << 16 | uint(column);

@@ -66,7 +66,7 @@ void blockedShares(int slice, int elements, float depth, out float blocked[kRefe
     left = one ? left - zeros : zeros;
     for (int k = 0; k < kReferenceRays; ++k) found[k] = waveletStep(found[k], texel[(k + 1) / 4][(k + 1) % 4], one);
   }
-  for (int k = 0; k < kReferenceRays; ++k) blocked[k] = left > 0 ? waveletEnd(found[k], rank, level, kBits) : found[k].x;
+  for (int k = 0; k < kReferenceRays; ++k) blocked[k] = left > 0 ? waveletEnd(found[k], rank, whole, level, kBits) : found[k].x;
 }
 
 // Visible share of the columns of one row before the ray's end, by the ray's own weights.

@@ -105,10 +105,10 @@ void main() {
   float depth[kOwn];
   for (int i = 0; i < kOwn; ++i) {
     depth[i] = first + i < columns ? texelDepths(ivec2(slice, min(first + i, columns - 1))).x : 1.0;
-    own[i] = uint(first + i < columns ? waveletBin(depth[i], kBinBits) : kBins - 1) << 16 | uint(first + i);
+    own[i] = uint(first + i < columns ? waveletBin(depth[i], kBinBits) : kBins) << 16 | uint(first + i);
   }
   if (kBounds) storeBounds(slice, first, depth);
-  for (int bit = 0; bit < kBinBits; ++bit) {
+  for (int bit = 0; bit <= kBinBits; ++bit) {
     if (bit > 0)
       for (int i = 0; i < kOwn; ++i) own[i] = element[first + i];
     split(own, 16 + bit);

@@ -6,5 +6,5 @@ layout(constant_id = 17) const int kLevels = 10;       // built and walked
 layout(constant_id = 18) const int kBinBits = 11;      // of the table of ranks
 layout(constant_id = 19) const int kVectors = 1;       // texels of four channels a position
 const int kElements = 1 << kBits;
-const int kBins = 1 << kBinBits;
+const int kBins = 1 << kBinBits;  // and one for what nothing blocks
 const float kCountScale = 65535.0;  // counts in 16-bit unorm and float alike
