@@ -22,7 +22,9 @@ constexpr std::uint32_t kRowLevels = 3;
 constexpr std::uint32_t kMostBinBits = 12;
 /// What every device has at least (Vulkan 1.3, required limits).
 constexpr std::uint32_t kLeastSharedBytes = 16384, kLeastInvocations = 128;
-constexpr std::uint32_t kMostScanLanes = 256;
+/// Elements of an invocation of the scan: few enough for registers, enough for levels that need no other invocation.
+constexpr std::uint32_t kScanElements = 8;
+constexpr std::uint32_t kMostScanLanes = 512;
 
 /// Shape of the matrices: what tree.glsl and the shaders are specialized with.
 struct Matrix {
@@ -57,56 +59,72 @@ std::vector<LevelRange> buildPasses(const Matrix& matrix, bool block) {
   return passes;
 }
 
-/// Invocations of a workgroup that builds one row; 0 where shared memory does not hold a row. A software device has nothing to hide
-/// behind others, so there one subgroup does.
-std::uint32_t scanLanes(const TyDevice& device, const Matrix& matrix, std::uint32_t rays) {
+/// A workgroup that builds one row: invocations, and whether its texels fit in shared memory beside the row.
+struct Scan {
+  std::uint32_t lanes = 0;  ///< 0: shared memory does not hold a row
+  bool staged = false;
+};
+
+/// A software device has nothing to hide latency behind, so there one subgroup builds a row.
+Scan scanOf(const TyDevice& device, const Matrix& matrix, std::uint32_t rays, bool sixteenBit) {
   const std::uint32_t shared = std::max(device.max_shared_memory, kLeastSharedBytes);
+  const std::uint32_t subgroup = std::bit_floor(std::max(device.subgroup_size, 1u));
+  const std::uint32_t most = std::min(std::bit_floor(std::max(device.max_workgroup_invocations, kLeastInvocations)), kMostScanLanes);
+  Scan scan;
+  scan.lanes = device.is_cpu != 0 ? subgroup : std::clamp(matrix.elements() / kScanElements, subgroup, std::max(most, subgroup));
+  scan.lanes = std::min(scan.lanes, matrix.elements() / 2);
   const std::uint32_t quads = (1 + 2 * rays + 3) / 4;
-  std::uint32_t lanes = std::min({std::bit_floor(std::max(device.max_workgroup_invocations, kLeastInvocations)), kMostScanLanes,
-                                  matrix.elements() / 4});
-  if (device.is_cpu != 0) lanes = std::min(lanes, std::bit_floor(std::max(device.subgroup_size, 1u)));
-  const std::uint32_t least = std::min(lanes, 16u);
-  while (lanes >= least && 4 * matrix.elements() + lanes * (32 * quads + 8) + 4 > shared) lanes /= 2;
-  return lanes >= least ? lanes : 0;
+  const std::uint32_t bytes = 4 * matrix.elements() + 4 * ((1u << matrix.binBits) + 1) + scan.lanes * 32 * quads + 8;
+  // Subgroups must be whole.
+  if (bytes > shared || scan.lanes % subgroup != 0) return {};
+  scan.staged = sixteenBit && device.is_cpu == 0 && bytes + 8 * matrix.elements() * matrix.vectors <= shared;
+  return scan;
 }
 
-std::vector<TySpecialization> constantsOf(const Matrix& matrix, const Settings& settings) {
+std::vector<TySpecialization> constantsOf(const Matrix& matrix, const Settings& settings, bool scanned) {
   return {{1, static_cast<std::uint32_t>(settings.reference_rays)},
           {3, settings.prefix_bounds != 0 ? 1u : 0u},
           {16, matrix.bits},
           {17, matrix.levels},
           {18, matrix.binBits},
-          {19, matrix.vectors}};
+          {19, matrix.vectors},
+          {24, scanned ? 1u : 0u}};
 }
 
 struct Images {
   std::uint32_t bounds, levels, ranks;
 };
 
-void addBuild(const LayoutContext& context, LayoutBuilder& builder, const RectifyStage& stage, const Matrix& matrix, const Images& images) {
-  const auto scheme = static_cast<PrefixScheme>(context.settings.prefix_scheme);
+void addBuild(const LayoutContext& context, LayoutBuilder& builder, const RectifyStage& stage, const Matrix& matrix, const Scan& scan,
+              const Images& images) {
+  const std::vector<TySpecialization> constants = constantsOf(matrix, context.settings, scan.lanes > 0);
   const std::vector<TyBinding> bindings{uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock),
                                         bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), sampledAt(3, stage.rectified),
                                         sampledAt(4, stage.projective), storageAt(5, images.bounds), storageAt(6, images.levels),
                                         storageAt(7, images.ranks)};
-  const std::uint32_t lanes = scanLanes(context.device, matrix, static_cast<std::uint32_t>(context.settings.reference_rays));
-  if (scheme == PrefixScheme::kScan && lanes > 0) {
-    ComputePass scan{"build", "exact_scan.comp", bindings, stage.slices, 1, 1, true, constantsOf(matrix, context.settings)};
-    scan.specializations.push_back({10, lanes});
-    builder.compute(std::move(scan));
+  if (scan.lanes > 0) {
+    ComputePass pass{"build", "exact_scan.comp", bindings, stage.slices, 1, 1, true, constants};
+    pass.specializations.push_back({10, scan.lanes});
+    pass.specializations.push_back({26, scan.staged ? matrix.elements() * matrix.vectors : 1});
+    builder.compute(std::move(pass));
     return;
   }
-  const std::vector<LevelRange> passes = buildPasses(matrix, scheme != PrefixScheme::kRow);
+  const std::vector<LevelRange> passes = buildPasses(matrix, static_cast<PrefixScheme>(context.settings.prefix_scheme) != PrefixScheme::kRow);
   // Between two passes the order of columns is kept here; a single texel stands in where it is never touched.
   const bool several = passes.size() > 1;
   const std::uint32_t order = builder.image("order", TY_FORMAT_R32_UINT, several ? stage.slices : 1, several ? matrix.elements() : 1);
+  // A CPU's private arrays lie in its cache; a GPU's would not fit (some drivers refuse the pipeline).
+  const bool onStack = context.device.is_cpu != 0;
+  const std::uint32_t groups = (stage.slices + 31) / 32;
+  const std::uint64_t words = 2 * matrix.elements() + (1u << matrix.binBits) + 1;
+  const std::uint32_t scratch = builder.buffer("scratch", onStack ? 4 : 4 * words * groups * 32);
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const auto& [first, last] = passes[i];
-    const bool save = i + 1 < passes.size();
-    ComputePass pass{"build", "exact_build.comp", bindings, (stage.slices + 31) / 32, 1u << first, 1,
-                     true, constantsOf(matrix, context.settings)};
+    ComputePass pass{"build", "exact_build.comp", bindings, groups, 1u << first, 1, true, constants};
     pass.bindings.push_back(storageAt(8, order, i == 0 ? TY_ACCESS_STORAGE_WRITE : TY_ACCESS_STORAGE_READ_WRITE));
-    for (const auto& [id, value] : {std::pair{20u, first}, {21u, last}, {22u, i == 0 ? 1u : 0u}, {23u, save ? 1u : 0u}})
+    pass.bindings.push_back(bufferAt(9, scratch, TY_ACCESS_STORAGE_WRITE));
+    for (const auto& [id, value] : {std::pair{20u, first}, {21u, last}, {22u, i == 0 ? 1u : 0u}, {23u, i + 1 < passes.size() ? 1u : 0u},
+                                    {25u, onStack ? 1u : 0u}})
       pass.specializations.push_back({id, value});
     builder.compute(std::move(pass));
   }
@@ -120,13 +138,18 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
   const RectifyStage stage = addRectify(context, builder, DepthBits::k16, false);
   const Matrix matrix = matrixOf(settings, stage.rows);
   const bool full = static_cast<Precision>(settings.precision) == Precision::kFull;
+  // Where shared memory does not hold a row the scan cannot be had; building by rows and nodes then stands in, as fast as it goes.
+  const Scan scan = static_cast<PrefixScheme>(settings.prefix_scheme) == PrefixScheme::kScan
+                        ? scanOf(context.device, matrix, static_cast<std::uint32_t>(settings.reference_rays), !full)
+                        : Scan{};
+  const bool scanned = scan.lanes > 0;
   Images images{};
   images.bounds = settings.prefix_bounds != 0 ? builder.image("prefix_bounds", TY_FORMAT_RG16_UNORM, stage.slices, stage.rows)
                                               : builder.image("prefix_bounds", TY_FORMAT_RG16_UNORM, 1, 1);
-  images.levels = builder.image("levels", full ? TY_FORMAT_RGBA32_FLOAT : TY_FORMAT_RGBA16_UNORM, stage.slices, matrix.elements(),
-                                matrix.levels * matrix.vectors, true);
+  images.levels = builder.image("levels", full ? TY_FORMAT_RGBA32_FLOAT : TY_FORMAT_RGBA16_UNORM, scanned ? matrix.elements() : stage.slices,
+                                scanned ? stage.slices : matrix.elements(), matrix.levels * matrix.vectors, true);
   images.ranks = builder.image("ranks", TY_FORMAT_R16_UNORM, stage.slices, (1u << matrix.binBits) + 1);
-  addBuild(context, builder, stage, matrix, images);
+  addBuild(context, builder, stage, matrix, scan, images);
 
   const auto evaluate = [&](const char* name, const TyBinding& result, bool first, bool steps) {
     ComputePass pass{name, "exact_evaluate.comp",
@@ -134,7 +157,7 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
                       bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4), result, sampledAt(6, images.bounds),
                       sampledAt(7, stage.rectified), sampledAt(8, stage.projective), sampledAt(9, images.levels),
                       sampledAt(10, images.ranks)},
-                     groups8(context.structure.width), groups8(context.structure.height), 1, true, constantsOf(matrix, settings)};
+                     groups8(context.structure.width), groups8(context.structure.height), 1, true, constantsOf(matrix, settings, scanned)};
     for (const auto& [id, value] : {std::pair{5u, static_cast<std::uint32_t>(settings.row_filter)}, {6u, first ? 1u : 0u}, {7u, steps ? 1u : 0u}})
       pass.specializations.push_back({id, value});
     builder.compute(std::move(pass));

@@ -20,6 +20,7 @@ layout(constant_id = 3) const bool kBounds = true;
 layout(constant_id = 20) const int kFirst = 0;   // levels of this pass: [kFirst, kLast)
 layout(constant_id = 21) const int kLast = 10;
 layout(constant_id = 22) const bool kSort = true;   // starts from the map; otherwise from `order`
+layout(constant_id = 25) const bool kPrivate = true;
 layout(constant_id = 23) const bool kSave = false;  // leaves `order` for the next pass
 const bool kFiltered = false;
 layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
@@ -31,6 +32,7 @@ layout(binding = 5) uniform writeonly image2D bounds;
 layout(binding = 6) uniform writeonly image2DArray levels;
 layout(binding = 7) uniform writeonly image2D ranks;
 layout(binding = 8, r32ui) uniform uimage2D order;
+layout(binding = 9, scalar) buffer Scratch { uint scratch[]; };
 
 #include "stages/rows.glsl"
 #include "stages/reference_rays.glsl"
@@ -38,13 +40,30 @@ layout(binding = 8, r32ui) uniform uimage2D order;
 #include "techniques/exact/weights.glsl"
 
 const int kMine = kElements >> kFirst;  // elements of this invocation
-uint element[2 * kMine];                // the present level and the next, in turn
-uint offset_[kSort ? kBins + 1 : 1];
+
+// Memory of an invocation: the elements of the present level and of the next, in turn, and the bins' counts. In registers and what backs them
+// where that is a cache (kPrivate), else in a buffer, invocations side by side.
+const int kCounts = 2 * kMine;
+const int kWords = kCounts + (kSort ? kBins + 1 : 0);
+uint word[kPrivate ? kWords : 1];
+uint scratchBase, scratchStride;
+uint load(int i) { return kPrivate ? word[kPrivate ? i : 0] : scratch[scratchBase + uint(i) * scratchStride]; }
+void store(int i, uint value) {
+  if (kPrivate)
+    word[kPrivate ? i : 0] = value;
+  else
+    scratch[scratchBase + uint(i) * scratchStride] = value;
+}
+uint takeNext(int i) {  // the count before it grows by one
+  uint before = load(i);
+  store(i, before + 1u);
+  return before;
+}
 
 // Ranks of the row's columns, in the order of columns.
 void sortRow(int slice) {
   int columns = int(totalColumns());
-  for (int b = 0; b <= kBins; ++b) offset_[b] = 0u;
+  for (int b = 0; b <= kBins; ++b) store(kCounts + b, 0u);
   vec2 range = vec2(1.0, 0.0);
   for (int column = 0; column < kElements; ++column) {
     uint bin = uint(kBins);
@@ -54,20 +73,19 @@ void sortRow(int slice) {
       if (kBounds) imageStore(bounds, ivec2(slice, column), vec4(range, 0.0, 0.0));
       bin = uint(waveletBin(depth, kBinBits));
     }
-    element[column] = bin;
-    ++offset_[bin];
+    store(column, bin);
+    takeNext(kCounts + int(bin));
   }
   uint before = 0u;
   for (int b = 0; b <= kBins; ++b) {
     imageStore(ranks, ivec2(slice, b), vec4(float(before) / kCountScale));
-    uint own = offset_[b];
-    offset_[b] = before;
+    uint own = load(kCounts + b);
+    store(kCounts + b, before);
     before += own;
   }
   for (int column = 0; column < kElements; ++column) {
-    uint bin = element[column];
-    element[column] = offset_[bin] << 16 | uint(column);
-    ++offset_[bin];
+    uint bin = load(column);
+    store(column, takeNext(kCounts + int(bin)) << 16 | uint(column));
   }
 }
 
@@ -75,10 +93,12 @@ void main() {
   int slice = int(gl_GlobalInvocationID.x);
   if (slice >= int(light.map.slices)) return;
   int base = int(gl_WorkGroupID.y) * kMine;
+  scratchStride = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+  scratchBase = gl_WorkGroupID.y * uint(kWords) * scratchStride + gl_GlobalInvocationID.x;
   if (kSort) {
     sortRow(slice);
   } else {
-    for (int i = 0; i < kMine; ++i) element[i] = imageLoad(order, ivec2(slice, base + i)).x;
+    for (int i = 0; i < kMine; ++i) store(i, imageLoad(order, ivec2(slice, base + i)).x);
   }
 
   Slice s = slices[slice];
@@ -101,10 +121,10 @@ void main() {
           ofAll[k] = 0.0;
         }
       }
-      uint own = element[from + i];
+      uint own = load(from + i);
       bool one = waveletOne(int(own >> 16), level, kBits);
       int column = int(own & 0xffffu);
-      element[to + start + (one ? size / 2 + i - start - zeros : zeros)] = own;
+      store(to + start + (one ? size / 2 + i - start - zeros : zeros), own);
       zeros += one ? 0 : 1;
       vec4 texel[kVectors];
       texel[0].x = float(zeros) / kCountScale;
@@ -114,10 +134,10 @@ void main() {
         ofZeros[k] += one ? 0.0 : weight;
         texel[(k + 1) / 4][(k + 1) % 4] = waveletShare(ofZeros[k], ofAll[k]);
       }
-      for (int v = 0; v < kVectors; ++v) imageStore(levels, ivec3(slice, base + i, level * kVectors + v), texel[v]);
+      for (int v = 0; v < kVectors; ++v) imageStore(levels, levelTexel(slice, base + i, level * kVectors + v), texel[v]);
     }
     from = to;
   }
   if (kSave)
-    for (int i = 0; i < kMine; ++i) imageStore(order, ivec2(slice, base + i), uvec4(element[from + i]));
+    for (int i = 0; i < kMine; ++i) imageStore(order, ivec2(slice, base + i), uvec4(load(from + i)));
 }

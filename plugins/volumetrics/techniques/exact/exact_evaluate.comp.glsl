@@ -60,7 +60,7 @@ void blockedShares(int slice, int elements, float depth, out float blocked[kRefe
     ++visited;
     int at = waveletNode(whole, level, kBits) + left - 1;
     vec4 texel[kVectors];
-    for (int v = 0; v < kVectors; ++v) texel[v] = texelFetch(levels, ivec3(slice, at, level * kVectors + v), 0);
+    for (int v = 0; v < kVectors; ++v) texel[v] = texelFetch(levels, levelTexel(slice, at, level * kVectors + v), 0);
     int zeros = int(texel[0].x * kCountScale + 0.5);
     bool one = waveletOne(whole, level, kBits);
     left = one ? left - zeros : zeros;

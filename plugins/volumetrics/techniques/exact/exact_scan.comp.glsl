@@ -1,5 +1,8 @@
-// Builds the wavelet matrix of a rectified row by one workgroup: what exact_build.comp does, with the row in shared memory, sums by subgroup
-// scans, and sorting by stable splits, one bit of the depth's bin at a time. Inputs and outputs as there, without orders.
+// Builds the wavelet matrix of a rectified row by one workgroup: what exact_build.comp does, with the row in shared memory and sums by subgroup
+// scans. Inputs and outputs as there, without `order`.
+// Sorting: a counting sort with shared atomics; the order in which they arrive decides nothing, since columns of one bin are then put
+// in order, and those that nothing blocks, often most of a row, by a scan. Once a node is no larger than what a subgroup holds, subgroups need
+// not wait for each other.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -14,7 +17,8 @@
 layout(local_size_x_id = 10) in;
 layout(constant_id = 1) const int kReferenceRays = 1;
 layout(constant_id = 3) const bool kBounds = true;
-layout(constant_id = 10) const int kLanes = 32;
+layout(constant_id = 10) const int kLanes = 32;      // whole subgroups
+layout(constant_id = 26) const int kStaged = 1;      // texels, packed to 16 bit, that wait in shared memory to be stored side by side; 1: none
 const bool kFiltered = false;
 layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
 layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
@@ -30,128 +34,169 @@ layout(binding = 7) uniform writeonly image2D ranks;
 #include "stages/texel_depths.glsl"
 #include "techniques/exact/weights.glsl"
 
-const int kOwn = kElements / kLanes;  // elements of an invocation, neighbours
+const int kOwn = kElements / kLanes;       // elements of an invocation, neighbours
 const int kSums = 1 + 2 * kReferenceRays;  // zeros; their weight and that of all, for each reference ray
 const int kQuads = (kSums + 3) / 4;
+const int kOwnBins = (kBins + kLanes) / kLanes;  // of the kBins + 1
 
 shared uint element[kElements];
-shared vec4 before[kLanes * kQuads];    // sums of all invocations before this one
-shared vec4 partial[kLanes * kQuads];   // of whole subgroups
-shared vec2 partialRange[kLanes];
-shared uint zerosInRow;
+shared uint counts[kBins + 1];
+shared vec4 before[kLanes * kQuads];   // sums of all invocations before this one, or of those of the subgroup
+shared vec4 partial[kLanes * kQuads];  // of whole subgroups
+shared uvec2 staged[kStaged];
 
-// Stores the exclusive sums over the workgroup into before[]. Every invocation calls it; a barrier has to come before the next call.
-void scanSums(vec4 own[kQuads]) {
-  uint lane = gl_LocalInvocationIndex;
+uint lane() { return gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID; }
+
+// Waits for the workgroup, or for the subgroup alone.
+void wait(bool wide) {
+  if (wide)
+    barrier();
+  else
+    subgroupBarrier();
+}
+
+// Stores the exclusive sums over the workgroup, or over the subgroup, into before[]; they hold until the next call.
+void scanSums(vec4 own[kQuads], bool wide) {
   vec4 sum[kQuads];
-  for (int q = 0; q < kQuads; ++q) {
-    sum[q] = subgroupExclusiveAdd(own[q]);
-    vec4 all_ = subgroupAdd(own[q]);
-    if (subgroupElect()) partial[gl_SubgroupID * uint(kQuads) + uint(q)] = all_;
+  for (int q = 0; q < kQuads; ++q) sum[q] = subgroupInclusiveAdd(own[q]);
+  if (wide) {
+    if (gl_SubgroupInvocationID == gl_SubgroupSize - 1u)
+      for (int q = 0; q < kQuads; ++q) partial[gl_SubgroupID * uint(kQuads) + uint(q)] = sum[q];
+    barrier();
+    for (uint i = 0u; i < gl_SubgroupID; ++i)
+      for (int q = 0; q < kQuads; ++q) sum[q] += partial[i * uint(kQuads) + uint(q)];
   }
-  barrier();
-  for (uint i = 0u; i < gl_SubgroupID; ++i)
-    for (int q = 0; q < kQuads; ++q) sum[q] += partial[i * uint(kQuads) + uint(q)];
-  for (int q = 0; q < kQuads; ++q) before[lane * uint(kQuads) + uint(q)] = sum[q];
-  barrier();
+  for (int q = 0; q < kQuads; ++q) before[lane() * uint(kQuads) + uint(q)] = sum[q] - own[q];
+  wait(wide);
+}
+
+// The same for one whole number.
+int scanCount(int own) {
+  vec4 sums[kQuads];
+  for (int q = 0; q < kQuads; ++q) sums[q] = vec4(0.0);
+  sums[0].x = float(own);
+  scanSums(sums, true);
+  return int(before[lane() * uint(kQuads)].x);
 }
 
 // Prefix minimum and maximum of the row's depths.
 void storeBounds(int slice, int first, float depth[kOwn]) {
   vec2 range = vec2(1.0, 0.0);
   for (int i = 0; i < kOwn; ++i) range = vec2(min(range.x, depth[i]), max(range.y, depth[i]));
-  vec2 all_ = vec2(subgroupMin(range.x), subgroupMax(range.y));
-  vec2 earlier = vec2(subgroupExclusiveMin(range.x), subgroupExclusiveMax(range.y));
-  if (gl_SubgroupInvocationID == 0u) earlier = vec2(1.0, 0.0);
-  if (subgroupElect()) partialRange[gl_SubgroupID] = all_;
+  vec2 inclusive = vec2(subgroupInclusiveMin(range.x), subgroupInclusiveMax(range.y));
+  before[lane() * uint(kQuads)].xy = inclusive;
   barrier();
-  for (uint i = 0u; i < gl_SubgroupID; ++i) earlier = vec2(min(earlier.x, partialRange[i].x), max(earlier.y, partialRange[i].y));
+  vec2 earlier = gl_SubgroupInvocationID > 0u ? before[(lane() - 1u) * uint(kQuads)].xy : vec2(1.0, 0.0);
+  for (uint i = 0u; i < gl_SubgroupID; ++i) {
+    vec2 other = before[((i + 1u) * gl_SubgroupSize - 1u) * uint(kQuads)].xy;
+    earlier = vec2(min(earlier.x, other.x), max(earlier.y, other.y));
+  }
   int columns = int(totalColumns());
   for (int i = 0; i < kOwn && first + i < columns; ++i) {
     earlier = vec2(min(earlier.x, depth[i]), max(earlier.y, depth[i]));
     imageStore(bounds, ivec2(slice, first + i), vec4(earlier, 0.0, 0.0));
   }
+  barrier();
 }
 
-// Puts the elements whose bit is 0 before the others, each half in its order.
-void split(uint own[kOwn], int shift) {
-  uint lane = gl_LocalInvocationIndex;
-  int zeros = 0;
-  for (int i = 0; i < kOwn; ++i) zeros += (own[i] >> shift & 1u) == 0u ? 1 : 0;
-  vec4 sums[kQuads];
-  for (int q = 0; q < kQuads; ++q) sums[q] = vec4(0.0);
-  sums[0].x = float(zeros);
-  scanSums(sums);
-  int earlier = int(before[lane * uint(kQuads)].x);
-  if (lane == uint(kLanes - 1)) zerosInRow = uint(earlier + zeros);
+// Leaves rank << 16 | column in element[], in the order of columns, and stores how many depths lie in bins before each.
+void sortRow(int slice, int first, int bin[kOwn]) {
+  for (int b = int(lane()); b <= kBins; b += kLanes) counts[b] = 0u;
   barrier();
-  int ones = int(zerosInRow) + int(lane) * kOwn - earlier;
+  int unblocked = 0;
   for (int i = 0; i < kOwn; ++i) {
-    if ((own[i] >> shift & 1u) == 0u)
-      element[earlier++] = own[i];
+    if (bin[i] == kBins)
+      ++unblocked;
     else
-      element[ones++] = own[i];
+      atomicAdd(counts[bin[i]], 1u);
   }
+  int unblockedBefore = scanCount(unblocked);
+  // Counts become first ranks.
+  int begin = int(lane()) * kOwnBins;
+  int sum = 0;
+  for (int b = begin; b < min(begin + kOwnBins, kBins); ++b) sum += int(counts[b]);
+  barrier();  // before[] is still read above
+  sum = scanCount(sum);
+  for (int b = begin; b < min(begin + kOwnBins, kBins + 1); ++b) {
+    uint own = counts[b];
+    counts[b] = uint(sum);
+    imageStore(ranks, ivec2(slice, b), vec4(float(sum) / kCountScale));
+    sum += int(own);
+  }
+  barrier();
+  // Columns of a bin, in the order in which they arrive: counts[] of a bin ends as the first rank of the next.
+  for (int i = 0; i < kOwn; ++i)
+    if (bin[i] < kBins) element[atomicAdd(counts[bin[i]], 1u)] = uint(first + i);
+  barrier();
+  uint rank[kOwn];
+  for (int i = 0; i < kOwn; ++i) {
+    if (bin[i] == kBins) {
+      rank[i] = counts[kBins] + uint(unblockedBefore++);
+      continue;
+    }
+    uint start = bin[i] > 0 ? counts[bin[i] - 1] : 0u;
+    rank[i] = start;
+    for (uint j = start; j < counts[bin[i]]; ++j) rank[i] += element[j] < uint(first + i) ? 1u : 0u;
+  }
+  barrier();
+  for (int i = 0; i < kOwn; ++i) element[first + i] = rank[i] << 16 | uint(first + i);
   barrier();
 }
 
 void main() {
   int slice = int(gl_WorkGroupID.x);
   int columns = int(totalColumns());
-  int first = int(gl_LocalInvocationIndex) * kOwn;
+  int first = int(lane()) * kOwn;
+  int heldBySubgroup = int(gl_SubgroupSize) * kOwn;
   Slice s = slices[slice];
 
-  uint own[kOwn];
   float depth[kOwn];
+  int bin[kOwn];
   for (int i = 0; i < kOwn; ++i) {
     depth[i] = first + i < columns ? texelDepths(ivec2(slice, min(first + i, columns - 1))).x : 1.0;
-    own[i] = uint(first + i < columns ? waveletBin(depth[i], kBinBits) : kBins) << 16 | uint(first + i);
+    bin[i] = first + i < columns ? waveletBin(depth[i], kBinBits) : kBins;
   }
   if (kBounds) storeBounds(slice, first, depth);
-  for (int bit = 0; bit <= kBinBits; ++bit) {
-    if (bit > 0)
-      for (int i = 0; i < kOwn; ++i) own[i] = element[first + i];
-    split(own, 16 + bit);
-  }
-  for (int b = int(gl_LocalInvocationIndex); b <= kBins; b += kLanes) {
-    int low = 0;
-    for (int step_ = kElements; step_ > 0; step_ >>= 1)
-      if (low + step_ <= kElements && int(element[low + step_ - 1] >> 16) < b) low += step_;
-    imageStore(ranks, ivec2(slice, b), vec4(float(low) / kCountScale));
-  }
-  for (int i = 0; i < kOwn; ++i) own[i] = element[first + i];
-  barrier();
-  for (int i = 0; i < kOwn; ++i) element[own[i] & 0xffffu] = uint(first + i) << 16 | (own[i] & 0xffffu);
-  barrier();
+  sortRow(slice, first, bin);
 
   float falloff[kReferenceRays];
   setFalloff(s, falloff);
+  uint own[kOwn];
   for (int level = 0; level < kLevels; ++level) {
     int size = kElements >> level;
-    vec4 sums[kQuads];
-    for (int q = 0; q < kQuads; ++q) sums[q] = vec4(0.0);
-    for (int i = 0; i < kOwn; ++i) {
-      own[i] = element[first + i];
-      bool one = waveletOne(int(own[i] >> 16), level, kBits);
-      sums[0].x += one ? 0.0 : 1.0;
-      for (int k = 0; k < kReferenceRays; ++k) {
-        float weight = columnWeight(s, falloff[k], int(own[i] & 0xffffu));
-        sums[(2 * k + 1) / 4][(2 * k + 1) % 4] += one ? 0.0 : weight;
-        sums[(2 * k + 2) / 4][(2 * k + 2) % 4] += weight;
-      }
-    }
-    scanSums(sums);
-    // Sums since the start of the node that this invocation begins in.
-    int start = first & ~(size - 1);
-    vec4 sinceStart[kQuads];
-    for (int q = 0; q < kQuads; ++q)
-      sinceStart[q] = before[gl_LocalInvocationIndex * uint(kQuads) + uint(q)] - before[(start / kOwn) * kQuads + q];
-    int zeros = int(sinceStart[0].x);
+    bool wide = size > heldBySubgroup;
+    for (int i = 0; i < kOwn; ++i) own[i] = element[first + i];
+    int start = first;
+    int zeros = 0;
     float ofZeros[kReferenceRays];
     float ofAll[kReferenceRays];
     for (int k = 0; k < kReferenceRays; ++k) {
-      ofZeros[k] = max(sinceStart[(2 * k + 1) / 4][(2 * k + 1) % 4], 0.0);
-      ofAll[k] = max(sinceStart[(2 * k + 2) / 4][(2 * k + 2) % 4], 0.0);
+      ofZeros[k] = 0.0;
+      ofAll[k] = 0.0;
+    }
+    if (size > kOwn) {
+      vec4 sums[kQuads];
+      for (int q = 0; q < kQuads; ++q) sums[q] = vec4(0.0);
+      for (int i = 0; i < kOwn; ++i) {
+        bool one = waveletOne(int(own[i] >> 16), level, kBits);
+        sums[0].x += one ? 0.0 : 1.0;
+        for (int k = 0; k < kReferenceRays; ++k) {
+          float weight = columnWeight(s, falloff[k], int(own[i] & 0xffffu));
+          sums[(2 * k + 1) / 4][(2 * k + 1) % 4] += one ? 0.0 : weight;
+          sums[(2 * k + 2) / 4][(2 * k + 2) % 4] += weight;
+        }
+      }
+      scanSums(sums, wide);
+      // Sums since the start of the node.
+      start = first & ~(size - 1);
+      vec4 since[kQuads];
+      for (int q = 0; q < kQuads; ++q)
+        since[q] = max(before[lane() * uint(kQuads) + uint(q)] - before[(start / kOwn) * kQuads + q], vec4(0.0));
+      zeros = int(since[0].x);
+      for (int k = 0; k < kReferenceRays; ++k) {
+        ofZeros[k] = since[(2 * k + 1) / 4][(2 * k + 1) % 4];
+        ofAll[k] = since[(2 * k + 2) / 4][(2 * k + 2) % 4];
+      }
     }
     for (int i = 0; i < kOwn; ++i) {
       int at = first + i;
@@ -174,8 +219,22 @@ void main() {
         ofZeros[k] += one ? 0.0 : weight;
         texel[(k + 1) / 4][(k + 1) % 4] = waveletShare(ofZeros[k], ofAll[k]);
       }
-      for (int v = 0; v < kVectors; ++v) imageStore(levels, ivec3(slice, at, level * kVectors + v), texel[v]);
+      for (int v = 0; v < kVectors; ++v) {
+        if (kStaged > 1)
+          staged[kStaged > 1 ? at * kVectors + v : 0] = uvec2(packUnorm2x16(texel[v].xy), packUnorm2x16(texel[v].zw));
+        else
+          imageStore(levels, levelTexel(slice, at, level * kVectors + v), texel[v]);
+      }
     }
-    barrier();
+    wait(wide);
+    if (kStaged > 1) {
+      int base = int(gl_SubgroupID) * heldBySubgroup;
+      for (int i = int(gl_SubgroupInvocationID); i < heldBySubgroup; i += int(gl_SubgroupSize))
+        for (int v = 0; v < kVectors; ++v) {
+          uvec2 packed = staged[kStaged > 1 ? (base + i) * kVectors + v : 0];
+          imageStore(levels, levelTexel(slice, base + i, level * kVectors + v), vec4(unpackUnorm2x16(packed.x), unpackUnorm2x16(packed.y)));
+        }
+      wait(false);
+    }
   }
 }

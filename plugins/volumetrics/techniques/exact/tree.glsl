@@ -8,3 +8,10 @@ layout(constant_id = 19) const int kVectors = 1;       // texels of four channel
 const int kElements = 1 << kBits;
 const int kBins = 1 << kBinBits;  // and one for what nothing blocks
 const float kCountScale = 65535.0;  // counts in 16-bit unorm and float alike
+
+// Positions run along y, as columns do in the rectified map: neighbouring invocations, each on a row of its own, store neighbouring texels.
+// Where a workgroup builds a row its invocations are neighbours along the row, and positions run along x.
+layout(constant_id = 24) const bool kAlongX = false;
+ivec3 levelTexel(int slice, int position, int layer) {
+  return kAlongX ? ivec3(position, slice, layer) : ivec3(slice, position, layer);
+}
