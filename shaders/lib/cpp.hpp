@@ -29,6 +29,7 @@ namespace f32 {
 #include "lib/fourier.glsl"
 #include "lib/average.glsl"
 #include "lib/wavelet.glsl"
+#include "lib/local_light.glsl"
 }  // namespace f32
 namespace f64 {
 #include "lib/medium.glsl"
@@ -37,6 +38,7 @@ namespace f64 {
 #include "lib/fourier.glsl"
 #include "lib/average.glsl"
 #include "lib/wavelet.glsl"
+#include "lib/local_light.glsl"
 }  // namespace f64
 namespace f80 {
 #include "lib/medium.glsl"
@@ -45,6 +47,7 @@ namespace f80 {
 #include "lib/fourier.glsl"
 #include "lib/average.glsl"
 #include "lib/wavelet.glsl"
+#include "lib/local_light.glsl"
 }  // namespace f80
 }  // namespace tyndall::lib
 

@@ -103,7 +103,7 @@ void addBuild(const LayoutContext& context, LayoutBuilder& builder, const Rectif
                                         sampledAt(4, stage.projective), storageAt(5, images.bounds), storageAt(6, images.levels),
                                         storageAt(7, images.ranks)};
   if (scan.lanes > 0) {
-    ComputePass pass{"build", "exact_scan.comp", bindings, stage.slices, 1, 1, true, constants};
+    ComputePass pass{"build", "exact_scan.comp", bindings, stage.slices, 1, 1, kSuns, constants};
     pass.specializations.push_back({10, scan.lanes});
     pass.specializations.push_back({26, scan.staged ? matrix.elements() * matrix.vectors : 1});
     builder.compute(std::move(pass));
@@ -120,7 +120,7 @@ void addBuild(const LayoutContext& context, LayoutBuilder& builder, const Rectif
   const std::uint32_t scratch = builder.buffer("scratch", onStack ? 4 : 4 * words * groups * 32);
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const auto& [first, last] = passes[i];
-    ComputePass pass{"build", "exact_build.comp", bindings, groups, 1u << first, 1, true, constants};
+    ComputePass pass{"build", "exact_build.comp", bindings, groups, 1u << first, 1, kSuns, constants};
     pass.bindings.push_back(storageAt(8, order, i == 0 ? TY_ACCESS_STORAGE_WRITE : TY_ACCESS_STORAGE_READ_WRITE));
     pass.bindings.push_back(bufferAt(9, scratch, TY_ACCESS_STORAGE_WRITE));
     for (const auto& [id, value] : {std::pair{20u, first}, {21u, last}, {22u, i == 0 ? 1u : 0u}, {23u, i + 1 < passes.size() ? 1u : 0u},
@@ -157,7 +157,7 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
                       bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4), result, sampledAt(6, images.bounds),
                       sampledAt(7, stage.rectified), sampledAt(8, stage.projective), sampledAt(9, images.levels),
                       sampledAt(10, images.ranks)},
-                     groups8(context.structure.width), groups8(context.structure.height), 1, true, constantsOf(matrix, settings, scanned)};
+                     groups8(context.structure.width), groups8(context.structure.height), 1, kSuns, constantsOf(matrix, settings, scanned)};
     for (const auto& [id, value] : {std::pair{5u, static_cast<std::uint32_t>(settings.row_filter)}, {6u, first ? 1u : 0u}, {7u, steps ? 1u : 0u}})
       pass.specializations.push_back({id, value});
     builder.compute(std::move(pass));
@@ -187,7 +187,7 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
                       images.bounds, 0, 1, 0.0f, 1.0f);
   }
   addRowViews(context, builder, stage);
-  addDifferenceView(context, builder, kFrameBlock, kSunBlock);
+  addDifferenceView(context, builder, kFrameBlock, kSunBlock, TY_NONE);
 }
 
 constexpr std::array kTechniques = {
