@@ -1,5 +1,8 @@
 #include "layout_builder.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 namespace volumetrics {
 namespace {
 
@@ -26,6 +29,9 @@ TyBinding shadowMomentsAt(std::uint32_t binding) {
   return bind(binding, TY_SOURCE_SHADOW_MOMENTS, 0, TY_ACCESS_SAMPLED, TY_SAMPLER_LINEAR_MIPMAP_CLAMP);
 }
 
+TyBinding lightCookieAt(std::uint32_t binding) {
+  return bind(binding, TY_SOURCE_LIGHT_COOKIE, 0, TY_ACCESS_SAMPLED, TY_SAMPLER_LINEAR_MIPMAP_REPEAT);
+}
 TyBinding outputAt(std::uint32_t binding, TyAccess access) { return bind(binding, TY_SOURCE_OUTPUT, 0, access); }
 TyBinding sampledAt(std::uint32_t binding, std::uint32_t image, TySampler sampler) {
   return bind(binding, TY_SOURCE_IMAGE, image, TY_ACCESS_SAMPLED, sampler);
@@ -56,11 +62,21 @@ std::uint32_t LayoutBuilder::image(const char* name, TyFormat format, std::uint3
   made.height = height;
   made.depth = layers;
   made.mips = mips;
+  const auto sameName = [&](const TyImage& other) { return std::string_view(other.name) == made.name; };
+  for (auto found = std::find_if(images_.begin(), images_.end(), sameName); found != images_.end();
+       found = std::find_if(images_.begin(), images_.end(), sameName)) {
+    if (found->kind == made.kind && found->format == format && found->width == width && found->height == height &&
+        found->depth == layers && found->mips == mips)
+      return static_cast<std::uint32_t>(found - images_.begin());
+    made.name = names_.emplace_back(std::string(made.name) + " (other lights)").c_str();
+  }
   images_.push_back(made);
   return static_cast<std::uint32_t>(images_.size() - 1);
 }
 
 std::uint32_t LayoutBuilder::buffer(const char* name, std::uint64_t bytes) {
+  for (std::size_t i = 0; i < buffers_.size(); ++i)
+    if (std::string_view(buffers_[i].name) == name && buffers_[i].size == bytes) return static_cast<std::uint32_t>(i);
   TyBuffer made{};
   made.struct_size = sizeof(TyBuffer);
   made.name = name;
@@ -81,6 +97,7 @@ std::uint32_t LayoutBuilder::uniform(std::string name, std::uint32_t bytes, bool
 
 std::uint32_t LayoutBuilder::compute(ComputePass pass) {
   pass.specializations.insert(pass.specializations.end(), common_.begin(), common_.end());
+  if (pass.lightKinds == kEachLight) pass.lightKinds = kinds_;
   passData_.push_back(std::move(pass));
   const ComputePass& data = passData_.back();
   TyPass made{};
@@ -129,6 +146,7 @@ std::uint32_t LayoutBuilder::casters(std::string name, std::uint32_t image, std:
 
 void LayoutBuilder::debugView(std::string name, std::string doc, TySource source, std::uint32_t index, std::uint32_t layer,
                               std::uint32_t channel, float low, float high) {
+  if (std::any_of(views_.begin(), views_.end(), [&](const TyDebugView& view) { return name == view.name; })) return;
   TyDebugView made{};
   made.struct_size = sizeof(TyDebugView);
   made.source = source;
@@ -144,6 +162,7 @@ void LayoutBuilder::debugView(std::string name, std::string doc, TySource source
 
 void LayoutBuilder::tunable(std::uint32_t parameter, double automatic, std::vector<double> variants,
                             std::vector<const char*> passes) {
+  if (std::any_of(tunables_.begin(), tunables_.end(), [&](const TyTunable& other) { return other.parameter == parameter; })) return;
   variants_.push_back(std::move(variants));
   passNames_.push_back(std::move(passes));
   TyTunable made{};

@@ -17,6 +17,7 @@ TyBinding uniformAt(std::uint32_t binding, std::uint32_t block);
 TyBinding sceneDepthAt(std::uint32_t binding);
 TyBinding shadowMapAt(std::uint32_t binding);
 TyBinding shadowMomentsAt(std::uint32_t binding);
+TyBinding lightCookieAt(std::uint32_t binding);
 TyBinding outputAt(std::uint32_t binding, TyAccess access);
 TyBinding sampledAt(std::uint32_t binding, std::uint32_t image, TySampler sampler = TY_SAMPLER_NEAREST_CLAMP);
 TyBinding storageAt(std::uint32_t binding, std::uint32_t image, TyAccess access = TY_ACCESS_STORAGE_WRITE);
@@ -26,6 +27,8 @@ TyBinding mipOf(TyBinding binding, std::uint32_t mip);
 
 /// Kinds of light that a pass runs for, as bits of TyLightKind.
 constexpr std::uint32_t kSuns = 1u << TY_LIGHT_DIRECTIONAL, kLocalLights = 1u << TY_LIGHT_SPOT | 1u << TY_LIGHT_POINT;
+/// Stands for the kinds last given to LayoutBuilder::lights().
+constexpr std::uint32_t kEachLight = 1u << 31;
 
 struct ComputePass {
   std::string name;
@@ -39,12 +42,16 @@ struct ComputePass {
 class LayoutBuilder {
  public:
   void clear();
+  /// Images, buffers and debug views of a name that is there already, and of the same shape, are shared: lights of all kinds take turns in
+  /// them. An image of another shape gets a name of its own.
   std::uint32_t image(const char* name, TyFormat format, std::uint32_t width, std::uint32_t height, std::uint32_t layers = 1,
                       bool array = false, std::uint32_t mips = 1);
   std::uint32_t mipsOf(std::uint32_t image) const { return images_[image].mips; }
   std::uint32_t layersOf(std::uint32_t image) const { return images_[image].depth; }
   std::uint32_t buffer(const char* name, std::uint64_t bytes);
   std::uint32_t uniform(std::string name, std::uint32_t bytes, bool perLight);
+  /// Kinds of light that passes for kEachLight run for from here on.
+  void lights(std::uint32_t kinds) { kinds_ = kinds; }
   /// Specialization constants that every compute pass from here on gets besides its own.
   void specializeAll(std::vector<TySpecialization> constants) { common_ = std::move(constants); }
   /// Returns the pass's index.
@@ -72,6 +79,7 @@ class LayoutBuilder {
   std::deque<std::string> names_;
   std::deque<TyTarget> targets_;
   std::vector<TySpecialization> common_;
+  std::uint32_t kinds_ = kSuns;
   LayoutRoles roles_;
   TyLayout layout_{};
 };

@@ -15,6 +15,7 @@ struct TyInstance {
   std::uint32_t localLightsReported = 0;
   bool linearImpossible = false;  ///< as last reported
   bool momentsMissing = false;    ///< as last reported
+  bool scanImpossible = false;    ///< as last reported
 };
 
 namespace volumetrics {
@@ -68,8 +69,13 @@ const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStr
   // A host of version 1.0 hands in a shorter struct.
   if (structure->struct_size >= offsetof(TyStructure, shadow_moments_format) + sizeof structure->shadow_moments_format)
     context.shadowMoments = structure->shadow_moments_format;
-  for (std::uint32_t i = 0; i < structure->light_count; ++i)
-    context.directionalLights += structure->light_kinds[i] == TY_LIGHT_DIRECTIONAL ? 1 : 0;
+  const bool cookies = structure->struct_size >= offsetof(TyStructure, light_cookies) + sizeof structure->light_cookies &&
+                       structure->light_cookies != nullptr;
+  for (std::uint32_t i = 0; i < structure->light_count; ++i) {
+    const bool sun = structure->light_kinds[i] == TY_LIGHT_DIRECTIONAL;
+    context.directionalLights += sun ? 1 : 0;
+    if (cookies && structure->light_cookies[i] != 0) (sun ? context.sunCookies : context.localCookies) = true;
+  }
   instance->builder.clear();
   instance->technique = nullptr;
   const TyParameter& choice = parameterTable()[techniqueIndex()];
@@ -87,6 +93,11 @@ const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStr
   if (missing && !instance->momentsMissing)
     say(TY_LOG_WARNING, "volumetrics.filtered_resampling: this host makes no moment shadow maps; the rows are resampled unfiltered");
   instance->momentsMissing = missing;
+  const bool noScan = instance->builder.roles().scanImpossible;
+  if (noScan && !instance->scanImpossible)
+    say(TY_LOG_WARNING, "volumetrics.prefix_scheme=scan: this device's shared memory does not hold a row of so many columns; rows are built "
+                        "by blocks");
+  instance->scanImpossible = noScan;
   return &instance->builder.finish();
 } catch (const std::exception& error) {
   say(TY_LOG_ERROR, std::string("layout failed: ") + error.what());

@@ -25,6 +25,7 @@ struct LayoutRoles {
   std::vector<std::uint32_t> localPasses;  ///< those that run for spot or point lights
   std::uint32_t standInClear = TY_NONE;  ///< clears the result in frames in which the only light, a local one, reaches no view ray
   bool momentsMissing = false;           ///< filtered resampling was asked for, but the host makes no moment shadow maps
+  bool scanImpossible = false;           ///< a workgroup scan was asked for, but shared memory does not hold a row
 };
 
 /// What a prepare() has to tell people, once.
@@ -58,6 +59,7 @@ struct LayoutContext {
   std::uint32_t directionalLights = 0;
   std::uint32_t localLights() const { return structure.light_count - directionalLights; }  ///< spot and point lights
   std::uint32_t shadowMoments = TY_FORMAT_UNKNOWN;  ///< TyFormat of the host's moment shadow maps
+  bool sunCookies = false, localCookies = false;    ///< some sun, some spot or point light, has a cookie
 };
 
 struct Technique {

@@ -25,6 +25,7 @@ TYNDALL_LIB_PRECISION(f80, long double)
 namespace f32 {
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/local_row.glsl"
 #include "lib/moments.glsl"
 #include "lib/fourier.glsl"
 #include "lib/average.glsl"
@@ -34,6 +35,7 @@ namespace f32 {
 namespace f64 {
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/local_row.glsl"
 #include "lib/moments.glsl"
 #include "lib/fourier.glsl"
 #include "lib/average.glsl"
@@ -43,6 +45,7 @@ namespace f64 {
 namespace f80 {
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/local_row.glsl"
 #include "lib/moments.glsl"
 #include "lib/fourier.glsl"
 #include "lib/average.glsl"

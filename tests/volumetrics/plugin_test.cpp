@@ -227,7 +227,7 @@ TEST_F(Fixture, PrepareFillsTheBlocks) {
   EXPECT_FLOAT_EQ(block.rays.sigma_t, 0.125f);
   EXPECT_FLOAT_EQ(block.momentBias, 6e-5f);  // section 2.5
   EXPECT_FLOAT_EQ(block.biasTarget, 0.628f);
-  tyndall::shared::RectifiedSunBlock sun;
+  tyndall::shared::RectifiedLightBlock sun;
   std::memcpy(&sun, data[1], sizeof(sun));
   EXPECT_FLOAT_EQ(sun.sun.irradiance.x, 7);
   EXPECT_FLOAT_EQ(sun.sun.towards.y, 1);

@@ -90,7 +90,7 @@ Polygon fillFrame(const RectificationInput& input, const glm::dvec3& e1, Rectifi
   for (const glm::dvec3& q : corners) seen.push_back(project(q * static_cast<double>(input.rays.zfar)));
   std::vector<glm::dvec2> casters;
   for (const glm::vec3& corner : input.casterCorners) casters.push_back(project(glm::dvec3(corner) - glm::dvec3(input.rays.eye)));
-  const Polygon region = intersectConvex(convexHull(casters), convexHull(seen));
+  const Polygon region = input.wholeView ? convexHull(seen) : intersectConvex(convexHull(casters), convexHull(seen));
   block.reach = 0;
   if (region.size() < 3 || area(region) <= 0) return {};
   for (const glm::dvec2& corner : region) block.reach = std::max(block.reach, static_cast<float>(glm::length(corner)));

@@ -23,6 +23,7 @@ struct RectificationInput {
   std::array<glm::vec3, 8> casterCorners;     ///< box of all casters, world
   std::uint32_t columns = 1024, slices = 1024;
   SliceSpacing spacing = SliceSpacing::kAzimuth;
+  bool wholeView = false;                     ///< rows hold all that is seen, not only what can be blocked
 };
 
 /// Corners of the frustum as directions of length one along the optical axis, in order round the screen.

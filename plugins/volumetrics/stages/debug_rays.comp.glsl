@@ -8,6 +8,8 @@
 #include "lib/portable.h"
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/local_row.glsl"
+#include "lib/local_light.glsl"
 #include "stages/rectified.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -16,25 +18,31 @@ layout(constant_id = 8) const bool kFiltered = false;
 const int kRowFilter = 0;
 const bool kFirstLight = true;
 layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
-layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 1, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 2) uniform sampler2D sceneDepth;
 layout(binding = 3, scalar) readonly buffer Slices { Slice slices[]; };
 layout(binding = 4) uniform sampler2DArray shadowMap;
 layout(binding = 5, rgba32f) uniform image2D scatter;
 layout(binding = 6) uniform sampler2DArray rectified;
 layout(binding = 7) uniform sampler2DArray projective;
+layout(binding = 21) uniform sampler2DArray unshadowed;
 
 #define TY_OWN_MAIN
 #include "stages/rays_on_rows.glsl"
 #include "stages/reference_rays.glsl"
+#include "stages/row_weights.glsl"
 #include "stages/texel_depths.glsl"
 
-// Transmittance integral between two column coordinates at optical depth tau a metre of distance from the axis.
-float weightBetween(Slice s, float tau, float from, float to) {
-  return transmittanceIntegral(tau, columnDistance(s, from), columnDistance(s, to));
-}
+vec3 meanVisibility(RowRay ray) { return vec3(1.0); }
 
-float meanVisibility(RowRay ray) { return 1.0; }
+// The true weight of columns along the ray, whatever weights the prefix has.
+float rayWeight(RowRay ray, Slice s, float from, float to) {
+  float a = columnDistance(s, from);
+  float b = columnDistance(s, to);
+  if (kLocal) return max(unshadowedTo(ray.theta, b) - unshadowedTo(ray.theta, a), 0.0);
+  float safeSine = max(ray.sine, 1e-7);
+  return transmittanceIntegral(frame.rays.sigma_t, a / safeSine, b / safeSine);
+}
 
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
@@ -48,8 +56,7 @@ void main() {
   Slice s = ray.a.s;
 
   // Segment by segment, as the look-up does: interpolated between the reference rays, joined with the ray's own weights.
-  float ownTau = frame.rays.sigma_t / max(ray.sine, 1e-7);
-  float x = referencePlace(s.nodeLow, s.nodeHigh, cosecant(ray.theta));
+  float x = referencePlace(s.nodeLow, s.nodeHigh, ray.theta);
   float ownLit = 0.0;
   float ownAll = 0.0;
   float joined = 0.0;
@@ -68,11 +75,11 @@ void main() {
       vec3 depths = texelDepths(ivec2(ray.a.index, column));
       float visible = mix(ray.depth <= depths.x ? 1.0 : 0.0, ray.depth <= depths.y ? 1.0 : 0.0, depths.z);
       float to = min(float(column + 1), last);
-      float weight = weightBetween(s, ownTau, float(column), to);
+      float weight = rayWeight(ray, s, float(column), to);
       ownLit += visible * weight;
       segmentAll += weight;
       for (int k = 0; k < kReferenceRays; ++k) {
-        weight = weightBetween(s, referenceTau(s, k, kReferenceRays), float(column), to);
+        weight = referenceWeight(s, referenceKey(s, k, kReferenceRays), float(column), to);
         lit[k] += visible * weight;
         all_[k] += weight;
       }
@@ -80,7 +87,7 @@ void main() {
     float interpolated = 0.0;
     for (int k = 0; k < kReferenceRays; ++k)
       interpolated += (kReferenceRays == 1 ? 1.0 : chebyshevLagrange(k, kReferenceRays, x)) * (all_[k] > 0.0 ? lit[k] / all_[k] : 1.0);
-    float weight = frame.rectified.weights == kWeightsTransmittance ? segmentAll : columnDistance(s, last) - columnDistance(s, first);
+    float weight = ownWeight(ray, s, first, last);
     joined += weight * clamp(interpolated, 0.0, 1.0);
     joinedAll += weight;
     ownAll += segmentAll;

@@ -37,10 +37,10 @@ void addRowViews(const LayoutContext& context, LayoutBuilder& builder, const Rec
   const std::uint32_t width = context.structure.width, height = context.structure.height;
   const std::uint32_t pixels = builder.image("rays", TY_FORMAT_RGBA32_FLOAT, width, height);
   builder.compute({"debug rays", "debug_rays.comp",
-                   {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), sceneDepthAt(2),
+                   {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2),
                     bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4), storageAt(5, pixels),
-                    sampledAt(6, stage.rectified), sampledAt(7, stage.projective)},
-                   groups8(width), groups8(height), 1, true, {{1, rays}, {8, stage.filtered ? 1u : 0u}}});
+                    sampledAt(6, stage.rectified), sampledAt(7, stage.projective), unshadowedAt21(stage)},
+                   groups8(width), groups8(height), 1, kEachLight, {{1, rays}, {8, stage.filtered ? 1u : 0u}}});
   builder.debugView("slice", "Slice of each pixel, 0 to 1 over all slices (of the last sun)", TY_SOURCE_IMAGE, pixels, 0, 0, 0.0f, 1.0f);
   builder.debugView("inclination", "Inclination of each pixel's ray, 0 to pi (of the last sun)", TY_SOURCE_IMAGE, pixels, 0, 1, 0.0f, 1.0f);
   builder.debugView("reference_ray_error",
@@ -51,13 +51,21 @@ void addRowViews(const LayoutContext& context, LayoutBuilder& builder, const Rec
 
   const std::uint32_t weights = builder.image("weights", TY_FORMAT_R32_FLOAT, stage.slices, stage.rows, rays, true);
   builder.compute({"debug weights", "debug_weights.comp",
-                   {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
+                   {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
                     storageAt(3, weights)},
-                   groups8(stage.slices), groups8(stage.rows), rays, true, {{1, rays}}});
+                   groups8(stage.slices), groups8(stage.rows), rays, kEachLight, {{1, rays}}});
   for (std::uint32_t k = 0; k < rays; ++k)
     builder.debugView("weights_" + std::to_string(k),
                       "Weight of each column for reference ray " + std::to_string(k) + ", relative to an even share; black 0, white 2",
                       TY_SOURCE_IMAGE, weights, k, 0, 0.0f, 2.0f);
+}
+
+void addRowLayout(const LayoutContext& context, LayoutBuilder& builder,
+                  void (*addClass)(const LayoutContext&, LayoutBuilder&, const LightClass&, bool)) {
+  addRowBlocks(builder);
+  const bool add = beginLights(context, builder, kFrameBlock);
+  for (const LightClass& lights : lightClasses(context)) addClass(context, builder, lights, add);
+  if (context.structure.light_count > 0) addDifferenceView(context, builder, kFrameBlock, kLightBlock, kLocalBlock);
 }
 
 }  // namespace volumetrics

@@ -15,4 +15,9 @@ void addDifferenceView(const LayoutContext& context, LayoutBuilder& builder, std
 /// Views "slice", "inclination", "reference_ray_error" per pixel and "weights" of the columns.
 void addRowViews(const LayoutContext& context, LayoutBuilder& builder, const RectifyStage& stage);
 
+/// The layout of a technique on rows that scatters lights of all kinds: blocks, clearing, what `addClass` adds for each class of lights (`add`:
+/// to what other lights have scattered), and the difference view.
+void addRowLayout(const LayoutContext& context, LayoutBuilder& builder,
+                  void (*addClass)(const LayoutContext&, LayoutBuilder&, const LightClass&, bool add));
+
 }  // namespace volumetrics

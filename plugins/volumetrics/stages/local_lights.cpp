@@ -71,6 +71,22 @@ bool reachesView(const LocalBlock& light, const RayBlock& rays) {
   return extentAlong(light, -rays.forward) >= -rays.zfar;
 }
 
+double screenShare(const LocalBlock& light, const RayBlock& rays) {
+  if (light.range <= 0) return 1;
+  const double along = glm::dot(light.position, rays.forward);
+  if (along <= light.range) return 1;  // the eye's plane cuts the range's sphere
+  // Tangents of the angles from the optical axis to the sphere's borders, in units of the picture's.
+  const auto part = [&](const glm::vec3& half) {
+    const double size = glm::length(half), across = glm::dot(light.position, half) / size;
+    const double apart2 = along * along + across * across - double{light.range} * light.range;
+    const double root = light.range * std::sqrt(std::max(apart2, 0.0)), below = along * along - double{light.range} * light.range;
+    const double low = std::clamp((along * across - root) / below / size, -1.0, 1.0);
+    const double high = std::clamp((along * across + root) / below / size, -1.0, 1.0);
+    return (high - low) / 2;
+  };
+  return std::clamp(part(rays.right) * part(rays.up), 1e-6, 1.0);
+}
+
 void prepareLocalLights(const FrameContext& context, std::uint32_t block, const RayBlock& rays) {
   bool any = false;
   for (std::uint32_t i = 0; i < context.frame.light_count; ++i) {

@@ -27,7 +27,7 @@ void addMips(LayoutBuilder& builder, const RectifyStage& stage, std::uint32_t im
     builder.compute({"prefix mip " + std::to_string(mip), "mip.comp",
                      {mipOf(sampledAt(0, image, TY_SAMPLER_LINEAR_CLAMP), mip - 1),
                       mipOf(storageAt(1, image, TY_ACCESS_STORAGE_WRITE), mip)},
-                     groups8(std::max(1u, stage.slices >> mip)), groups8(std::max(1u, stage.rows >> mip)), layers, true, {}});
+                     groups8(std::max(1u, stage.slices >> mip)), groups8(std::max(1u, stage.rows >> mip)), layers, kEachLight, {}});
 }
 
 }  // namespace
@@ -56,11 +56,11 @@ void addPrefix(const LayoutContext& context, LayoutBuilder& builder, const Recti
   const std::uint32_t across = scan ? kScanRows : block ? 8 : 32;
   const auto columns = static_cast<std::uint32_t>(settings.columns);
   ComputePass prefix{"prefix", technique.prefixShader,
-                     {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock),
+                     {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock),
                       bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), sampledAt(3, stage.rectified),
-                      sampledAt(4, stage.projective), storageAt(5, bounds)},
+                      sampledAt(4, stage.projective), storageAt(5, bounds), weightsAt20(stage)},
                      (stage.slices + across - 1) / across,
-                     stage.rows / columns * static_cast<std::uint32_t>(settings.regions), technique.groups, true,
+                     stage.rows / columns * static_cast<std::uint32_t>(settings.regions), technique.groups, kEachLight,
                      technique.prefixConstants};
   prefix.bindings.insert(prefix.bindings.end(), technique.extra.begin(), technique.extra.end());
   for (std::size_t i = 0; i < technique.images.size(); ++i)
@@ -74,10 +74,10 @@ void addPrefix(const LayoutContext& context, LayoutBuilder& builder, const Recti
       if (builder.mipsOf(image) > 1) addMips(builder, stage, image, builder.layersOf(image));
 
   ComputePass evaluate{"evaluate", technique.evaluateShader,
-                       {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), sceneDepthAt(2),
+                       {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2),
                         bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4),
-                        outputAt(5, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE), sampledAt(6, bounds)},
-                       groups8(context.structure.width), groups8(context.structure.height), 1, true,
+                        resultAt5(stage.lights, add), sampledAt(6, bounds), unshadowedAt21(stage), litAt22(stage)},
+                       groups8(context.structure.width), groups8(context.structure.height), 1, kEachLight,
                        technique.evaluateConstants};
   for (std::size_t i = 0; i < technique.images.size(); ++i)
     evaluate.bindings.push_back(sampledAt(7 + static_cast<std::uint32_t>(i), technique.images[i],

@@ -14,16 +14,18 @@ layout(constant_id = 8) const bool kFiltered = false;
 layout(constant_id = 9) const int kLanes = 1;  // invocations that share memory: scan only
 layout(constant_id = 12) const bool kCompensated = false;  // averages keep what rounding drops (lib/average.glsl)
 layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
-layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 1, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 2, scalar) readonly buffer Slices { Slice slices[]; };
 layout(binding = 3) uniform sampler2DArray rectified;   // resampled
 layout(binding = 4) uniform sampler2DArray projective;  // rasterised: one layer a split
 layout(binding = 5) uniform writeonly image2D bounds;
+layout(binding = 20) uniform sampler2DArray columnWeights;  // stages/shine.comp.glsl; kShaped
 
 #include "lib/average.glsl"
 #include "stages/rows.glsl"
 #include "stages/reference_rays.glsl"
 #include "stages/texel_depths.glsl"
+#include "stages/channels.glsl"
 
 void basisAt(ivec2 at, float depth, int group, out vec4 v[kVectors]);
 void storePrefix(ivec2 at, int k, int group, vec4 v[kVectors]);
@@ -73,6 +75,16 @@ float nextWeight(inout Walk walk) {
   return weight;
 }
 
+// Weights of a column for all reference rays where light rays differ: the mean over the colours.
+void shapedWeights(ivec2 at, out float weight[kReferenceRays]) {
+  for (int k = 0; k < kReferenceRays; ++k) weight[k] = 0.0;
+  for (int i = 0; i < kChannelQuads; ++i) {
+    vec4 four = texelFetch(columnWeights, ivec3(at, i), 0);
+    for (int c = 0; c < 4; ++c)
+      if (4 * i + c < kChannels) weight[(4 * i + c) / kColours] += four[c];
+  }
+}
+
 // Adds a weight to the total; its share of the new total.
 float shareOf(inout float total, float weight) {
   total += weight;
@@ -116,7 +128,7 @@ void main() {
   float start = columnDistance(s, float(begin));
   float own = columnDistance(s, float(from));
   for (int k = 0; k < kReferenceRays; ++k) {
-    tau[k] = referenceTau(s, k, kReferenceRays);
+    tau[k] = referenceKey(s, k, kReferenceRays);
     walk[k].power = exp(-tau[k] * (own - start));
     setWidth(walk[k], tau[k], width);
   }
@@ -144,8 +156,10 @@ void main() {
         for (int k = 0; k < kReferenceRays; ++k) setWidth(walk[k], tau[k], next - last);
         last = next;
       }
+      float shaped[kReferenceRays];
+      if (kShaped) shapedWeights(at, shaped);
       for (int k = 0; k < kReferenceRays; ++k) {
-        float share = shareOf(total[k], nextWeight(walk[k]));
+        float share = shareOf(total[k], kShaped ? shaped[k] : nextWeight(walk[k]));
         for (int i = 0; i < kVectors; ++i) TAKE(k * kVectors + i, basis[i], share)
       }
     }
@@ -186,8 +200,10 @@ void main() {
       last = next;
     }
     bool mine = kScan || column % lanes == lane;
+    float shaped[kReferenceRays];
+    if (kShaped) shapedWeights(at, shaped);
     for (int k = 0; k < kReferenceRays; ++k) {
-      float share = shareOf(total[k], nextWeight(walk[k]));
+      float share = shareOf(total[k], kShaped ? shaped[k] : nextWeight(walk[k]));
       vec4 average[kVectors];
       for (int i = 0; i < kVectors; ++i) {
         TAKE(k * kVectors + i, basis[i], share)

@@ -1,9 +1,11 @@
 // meanVisibility() of the techniques that look up a prefix: one look-up per segment that the ray passes, K of them with reference
-// rays, none where the prefix bounds settle it. Needs the binding `bounds` and, from the technique:
+// rays, none where the prefix bounds settle it. Needs the bindings `bounds` and `lit` (stages/lit.comp.glsl) and, from the technique:
 //   void visibilities(Place place, RowRay ray, out float v[kReferenceRays])   one for each reference ray, not yet clamped
 // Segments are joined with the weights of the ray's own inclination: exact, whatever the reference rays.
 #include "stages/reference_rays.glsl"
 #include "stages/row_weights.glsl"
+#include "stages/channels.glsl"
+#include "stages/lit.glsl"
 const float kHalfStep = 0.5 / 65535.0;  // of 16-bit unorm
 const float kMipLevels = 4.0;           // of a prefix with mips
 const float kWidestPixel = 8.0;         // slices
@@ -57,11 +59,13 @@ vec2 rangeBefore(Row row, vec2 segment, float column) {
   return texelFetch(bounds, ivec2(row.index, clamp(int(texel), int(segment.x), int(segment.y) - 1)), 0).xy;
 }
 
-// Mean visibility of one segment's columns before `columnA` and `columnB` of the two rows. A segment may be empty in a row.
-float segmentVisibility(RowRay ray, vec2 segmentA, vec2 segmentB, float columnA, float columnB, float wide, float lod) {
+// Mean visibility of one segment's columns before `columnA` and `columnB` of the two rows, times their light rays' strength where those differ. A
+// segment may be empty in a row.
+vec3 segmentVisibility(RowRay ray, vec2 segmentA, vec2 segmentB, float columnA, float columnB, float wide, float lod) {
   bool hasA = segmentA.y > segmentA.x;
   bool hasB = kRowFilter != kRowNearest && segmentB.y > segmentB.x;
-  if (!hasA && !hasB) return 1.0;
+  if (!hasA && !hasB) return vec3(1.0);
+  bool lit_ = false;
   if (kBounds) {
     vec2 range = vec2(1.0, 0.0);
     if (hasA) range = rangeBefore(ray.a, segmentA, columnA);
@@ -69,8 +73,9 @@ float segmentVisibility(RowRay ray, vec2 segmentA, vec2 segmentB, float columnA,
       vec2 other = rangeBefore(ray.b, segmentB, columnB);
       range = vec2(min(range.x, other.x), max(range.y, other.y));
     }
-    if (ray.depth <= range.x - kHalfStep || range.x >= 1.0) return 1.0;
-    if (ray.depth > range.y + kHalfStep) return 0.0;
+    lit_ = ray.depth <= range.x - kHalfStep || range.x >= 1.0;
+    if (lit_ && !kShaped) return vec3(1.0);
+    if (!lit_ && ray.depth > range.y + kHalfStep) return vec3(0.0);
   }
   Place place;
   place.rowA = ray.a.index;
@@ -83,14 +88,28 @@ float segmentVisibility(RowRay ray, vec2 segmentA, vec2 segmentB, float columnA,
   place.wide = wide;
   place.lod = lod;
   float v[kReferenceRays];
-  visibilities(place, ray, v);
-  if (kReferenceRays == 1) return clamp(v[0], 0.0, 1.0);
+  if (lit_)
+    for (int k = 0; k < kReferenceRays; ++k) v[k] = 1.0;
+  else
+    visibilities(place, ray, v);
   float low = mix(ray.b.s.nodeLow, ray.a.s.nodeLow, ray.a.weight);
   float high = mix(ray.b.s.nodeHigh, ray.a.s.nodeHigh, ray.a.weight);
-  float x = referencePlace(low, high, cosecant(ray.theta));
-  float sum = 0.0;
-  for (int k = 0; k < kReferenceRays; ++k) sum += chebyshevLagrange(k, kReferenceRays, x) * v[k];
-  return clamp(sum, 0.0, 1.0);
+  float x = referencePlace(low, high, ray.theta);
+  if (!kShaped) {
+    if (kReferenceRays == 1) return vec3(clamp(v[0], 0.0, 1.0));
+    float sum = 0.0;
+    for (int k = 0; k < kReferenceRays; ++k) sum += chebyshevLagrange(k, kReferenceRays, x) * v[k];
+    return vec3(clamp(sum, 0.0, 1.0));
+  }
+  float value[kChannelSlots];
+  litChannels(place.rowA, place.columnA, value);
+  if (place.weightB > 0.0) {
+    float other[kChannelSlots];
+    litChannels(place.rowB, place.columnB, other);
+    for (int i = 0; i < kChannels; ++i) value[i] = value[i] * place.weightA + other[i] * place.weightB;
+  }
+  for (int i = 0; i < kChannels; ++i) value[i] *= clamp(v[i / kColours], 0.0, 1.0);
+  return max(betweenReferenceRays(value, x), vec3(0.0));
 }
 
 // Width of a pixel, in slices, as far as it is averaged.
@@ -111,7 +130,7 @@ float pixelSlices(RowRay ray) {
   return clamp(widest, 1.0, kWidestPixel);
 }
 
-float meanVisibility(RowRay ray) {
+vec3 meanVisibility(RowRay ray) {
   float wide = pixelSlices(ray);
   // A mip averages columns too, and with them the ends of rays: no more than a 512th of a row.
   float lod = clamp(log2(wide), 0.0, min(kMipLevels - 1.0, floor(log2(max(float(totalColumns()) / 512.0, 1.0)))));
@@ -119,7 +138,7 @@ float meanVisibility(RowRay ray) {
   float leading = nearerA ? ray.a.column : ray.b.column;
   float last = clamp(ceil(leading) - 1.0, 0.0, float(totalColumns()) - 1.0);
   Slice s = slices[nearerA ? ray.a.index : ray.b.index];
-  float sum = 0.0;
+  vec3 sum = vec3(0.0);
   float total = 0.0;
   uint i = 0u;
   vec2 a = vec2(0.0, float(segmentBorder(ray.a.s, 1u)));
@@ -136,11 +155,11 @@ float meanVisibility(RowRay ray) {
     a = vec2(a.y, float(segmentBorder(ray.a.s, i + 1u)));
     b = vec2(b.y, float(segmentBorder(ray.b.s, i + 1u)));
   }
-  float visible = segmentVisibility(ray, a, b, clamp(ray.a.column, a.x, a.y), clamp(ray.b.column, b.x, b.y), wide, lod);
+  vec3 visible = segmentVisibility(ray, a, b, clamp(ray.a.column, a.x, a.y), clamp(ray.b.column, b.x, b.y), wide, lod);
   if (i == 0u) return visible;
   float start = nearerA ? a.x : b.x;
   float weight = ownWeight(ray, s, start, max(leading, start));
   sum += weight * visible;
   total += weight;
-  return total > 0.0 ? sum / total : 1.0;
+  return total > 0.0 ? sum / total : vec3(1.0);
 }

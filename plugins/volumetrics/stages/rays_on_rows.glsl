@@ -1,14 +1,16 @@
 // The per-pixel half of every technique on rectified rows: view ray to rows, parts of the ray that rows do not cover, the block at the
 // epipole, phase function and result. A technique includes this after defining
-//   float meanVisibility(RowRay ray)     mean visibility, weighted by transmittance, of the columns before the ray's end
-// and after the bindings frame, light, slices, sceneDepth, shadowMap, scatter, and the constants kRowFilter and kFirstLight. A debug view that needs the functions only defines
-// TY_OWN_MAIN; one that defines TY_SHOWN, a vec4 with A >= 0, has that stored instead of the radiance.
+//   vec3 meanVisibility(RowRay ray)     mean visibility, weighted by transmittance, of the columns before the ray's end, times the relative
+//                                       strength of their light rays where those differ (kShaped)
+// and after the bindings frame, light, slices, sceneDepth, shadowMap, scatter, unshadowed (stages/unshadowed.comp.glsl), and the constants
+// kRowFilter and kFirstLight. A debug view that needs the functions only defines TY_OWN_MAIN; one that defines TY_SHOWN, a vec4 with A >= 0, has that stored instead of the radiance.
 const int kRowNearest = 0, kRowLinear = 1, kRowMipmapped = 2;
 const int kMostBlockSteps = 2048;
 
 #include "stages/rows.glsl"
 #include "stages/rays.glsl"
 #include "stages/march.glsl"
+#include "stages/march_local.glsl"
 
 struct Row {
   int index;
@@ -23,7 +25,8 @@ struct RowRay {
   float sine;       // of the inclination
   float theta;      // rad
   float depth;      // normalised
-  float first, last;  // distances from the axis at which the rows begin and end, m
+  float first, last;  // distances from the axis, m, or angles at the light at which the rows begin and end
+  float reach;        // the same of the ray's end
 };
 
 int wrapSlice(int index) {
@@ -48,8 +51,9 @@ RowRay rowRay(vec3 local, float end, bool interpolate) {
   ray.b.weight = share;
   ray.a.s = slices[ray.a.index];
   ray.b.s = slices[ray.b.index];
-  ray.a.column = columnAt(ray.a.s, reachIn(ray.a.s, ray.sine * end, local.x * end));
-  ray.b.column = columnAt(ray.b.s, reachIn(ray.b.s, ray.sine * end, local.x * end));
+  ray.reach = kLocal ? angleAtLight(ray.sine, local.z, end, light.distance) : ray.sine * end;
+  ray.a.column = columnAt(ray.a.s, reachIn(ray.a.s, ray.reach, local.x * end));
+  ray.b.column = columnAt(ray.b.s, reachIn(ray.b.s, ray.reach, local.x * end));
   if (byTangent()) {
     float perX = ray.sine / max(local.x, 1e-12);
     ray.first = ray.a.s.last > ray.a.s.first ? perX / light.map.inverse[0] : 0.0;
@@ -61,7 +65,23 @@ RowRay rowRay(vec3 local, float end, bool interpolate) {
   return ray;
 }
 
-float meanVisibility(RowRay ray);
+vec3 meanVisibility(RowRay ray);
+
+// Integral of localWeight() over [0, psi] for a view ray, psi <= pi - theta, from the table: its texel (i, j) holds the mean over the first
+// (i + 1)/kUnshadowedSize of that range, for inclination j/(kUnshadowedSize - 1) of the way from thetaLow to thetaHigh.
+float unshadowedTo(float theta, float psi) {
+  int last = textureSize(unshadowed, 0).x - 1;
+  float whole = max(kPi - theta, 1e-7);
+  float share = clamp(psi / whole, 0.0, 1.0);
+  float x = share * float(last + 1);
+  float y = clamp((theta - light.thetaLow) / max(light.thetaHigh - light.thetaLow, 1e-6), 0.0, 1.0) * float(last);
+  int i = min(int(x), last);
+  int j = min(int(y), last - 1);
+  vec2 upTo = vec2(texelFetch(unshadowed, ivec3(i, j, 0), 0).x, texelFetch(unshadowed, ivec3(i, j + 1, 0), 0).x);
+  vec2 before = i > 0 ? vec2(texelFetch(unshadowed, ivec3(i - 1, j, 0), 0).x, texelFetch(unshadowed, ivec3(i - 1, j + 1, 0), 0).x) : vec2(0.0);
+  vec2 both = mix(before, upTo, x - float(i));
+  return mix(both.x, both.y, y - float(j)) * whole;
+}
 
 bool inEpipoleBlock(vec2 pixel) {
   vec2 a = abs(pixel - light.epipoles.xy);
@@ -69,22 +89,31 @@ bool inEpipoleBlock(vec2 pixel) {
   return min(max(a.x, a.y), max(b.x, b.y)) <= float(frame.rectified.epipole_block);
 }
 
-// Integral of visible transmittance over [0, end], m.
-float visibleTransmittance(RowRay ray, float end) {
+// What reaches the eye along [0, end], m, over sigma_s, phase function (of a sun) and the light's strength. For a sun the integral of
+// visible transmittance; for other lights that of visible localWeight() over D sin(theta).
+vec3 visibleIntegral(RowRay ray, float end) {
   float sigma_t = frame.rays.sigma_t;
+  if (kLocal) {
+    float reach = clamp(ray.reach, ray.first, ray.last);
+    float whole = unshadowedTo(ray.theta, reach) - unshadowedTo(ray.theta, ray.first);
+    if (whole <= 0.0) return vec3(0.0);
+    return meanVisibility(ray) * (whole / (light.distance * max(ray.sine, 1e-6)));
+  }
   float safeSine = max(ray.sine, 1e-7);
   float enter = min(ray.first / safeSine, end);
   float leave = min(ray.last / safeSine, end);
-  float unshadowed = transmittanceIntegral(sigma_t, 0.0, end);
-  if (leave <= enter) return unshadowed;
-  float blocked = transmittanceIntegral(sigma_t, enter, leave) * (1.0 - meanVisibility(ray));
+  // Rows of a sun with a cookie hold all that is seen (but for the decimetre up to the near plane of a projective map).
+  if (kShaped) return leave > 0.0 ? meanVisibility(ray) * transmittanceIntegral(sigma_t, 0.0, leave) : vec3(0.0);
+  float unshadowed_ = transmittanceIntegral(sigma_t, 0.0, end);
+  if (leave <= enter) return vec3(unshadowed_);
+  float blocked = transmittanceIntegral(sigma_t, enter, leave) * (1.0 - meanVisibility(ray).x);
   // What a projective map does not reach, the decimetre up to the near plane, is seen as the eye is. (Klehm et al. 2014 let it share
   // the row's average, which made the forest 0.6 % too dark.)
   vec2 eye = light.sun.shadowEye.xy;
   bool covered = all(greaterThanEqual(eye, vec2(0.0))) && all(lessThan(eye, vec2(light.sun.shadowSize)));
   if (byTangent() && light.map.nearLit == 0u && covered)
     blocked += transmittanceIntegral(sigma_t, 0.0, enter) * blockedAt(light.sun, shadowMap, light.sun.shadowEye);
-  return unshadowed - blocked;
+  return vec3(unshadowed_ - blocked);
 }
 
 #ifndef TY_OWN_MAIN
@@ -97,21 +126,23 @@ void main() {
   float end = perAxial * axialDistance(frame.rays, texelFetch(sceneDepth, ivec2(pixel), 0).x);
   vec3 local = vec3(dot(direction, light.map.e1), dot(direction, light.map.e2), dot(direction, light.sun.towards));
 
-  float integral;
+  vec3 integral;
+  float sigma_t = frame.rays.sigma_t;
+  bool interpolate = kRowFilter != kRowNearest;
   if (frame.rectified.epipole_block > 0 && inEpipoleBlock(vec2(pixel) + 0.5)) {
-    integral = denselyMarched(light.sun, shadowMap, direction, end, frame.rays.sigma_t, kMostBlockSteps);
+    integral = kLocal ? denselyMarchedLocal(light.local, shadowMap, direction, end, sigma_t, frame.rays.g, kMostBlockSteps)
+                      : vec3(denselyMarched(light.sun, shadowMap, direction, end, sigma_t, kMostBlockSteps));
   } else {
-    bool interpolate = kRowFilter != kRowNearest;
-    integral = visibleTransmittance(rowRay(local, end, interpolate), end);
+    integral = visibleIntegral(rowRay(local, end, interpolate), end);
     // Klehm et al. 2014, section 3.1: what the row says of the stretch up to the camera's near plane is taken off again.
     if (frame.rectified.near_correction != 0 && byTangent() && light.map.nearLit == 0u) {
       float near = min(perAxial * frame.rays.znear, end);
-      integral -= visibleTransmittance(rowRay(local, near, interpolate), near);
+      integral -= visibleIntegral(rowRay(local, near, interpolate), near);
     }
+    if (kLocal) integral *= light.local.intensity;
   }
-  float sigma_s = frame.rays.albedo * frame.rays.sigma_t;
-  float phase = phaseHenyeyGreenstein(local.z, frame.rays.g);
-  vec3 radiance = sigma_s * phase * max(integral, 0.0) * light.sun.irradiance;
+  vec3 radiance = frame.rays.albedo * sigma_t * max(integral, vec3(0.0));
+  if (!kLocal) radiance *= phaseHenyeyGreenstein(local.z, frame.rays.g) * light.sun.irradiance;
 #ifdef TY_SHOWN
   vec4 shown = TY_SHOWN;
   if (shown.a >= 0.0) {

@@ -7,9 +7,10 @@
 TY_SHARED_BEGIN
 
 struct Slice {
-  float first, last;     // all columns together span these distances from the axis, m; first = last: nothing can be blocked
+  float first, last;     // all columns together span these distances from the axis, m, or, of a spot or point light, these angles at the
+                         // light, rad; first = last: nothing can be blocked, or no light gets there
   float perX;            // distance from the axis per metre along e1: the inverse cosine of the azimuth from e1
-  float nodeLow, nodeHigh;  // range of the reference coordinate (lib/epipolar.glsl) for the Chebyshev nodes
+  float nodeLow, nodeHigh;  // range of the reference coordinate (stages/reference_rays.glsl) for the Chebyshev nodes
   float lookBack;        // columns before a ray's end that may show the very surface that ends it, whole number >= 1
   vec2 direction;        // unit, along (e1, e2)
   vec3 shadowStep;       // change of shadow texel and depth per metre of distance from the axis
@@ -31,10 +32,16 @@ struct RectifiedBlock {
   int basisCount;        // Fourier functions, sines and cosines counted
 };
 
-struct RectifiedSunBlock {
+struct RectifiedLightBlock {
   SunBlock sun;
   RectificationBlock map;
   vec4 epipoles;         // pixels (x, y) at which the directions to the light and away from it meet the screen; -1e9: nowhere near
+  LocalBlock local;      // of a spot or point light; of sun.* such a light has `towards` alone
+  float distance;        // of a spot or point light from the eye, m
+  float thetaLow, thetaHigh;  // inclinations that the table of unshadowed integrals covers, rad
+  mat4 cookieFromEye;    // TyLight.cookie_from_world for points relative to the eye
+  uint cookieFaces;      // 0: no cookie
+  uint cookieRepeats;
 };
 
 TY_SHARED_END

@@ -8,13 +8,15 @@
 #include "lib/portable.h"
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/local_row.glsl"
+#include "lib/local_light.glsl"
 #include "lib/moments.glsl"
 #include "stages/rectified.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool kFiltered = false;
 layout(constant_id = 1) const bool kQuantisedMoments = true;  // of the moment shadow map
-layout(binding = 0, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 0, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 1, scalar) readonly buffer Slices { Slice slices[]; };
 layout(binding = 2) uniform sampler2DArray shadowMap;   // depth, nearest; or moments, linear and mipmapped
 layout(binding = 3) uniform writeonly image2DArray rectified;

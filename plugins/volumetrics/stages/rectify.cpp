@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <optional>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "geometry/camera_rays.hpp"
 #include "geometry/linear_frame.hpp"
+#include "stages/local_lights.hpp"
 #include "stages/suns.hpp"
 
 namespace volumetrics {
@@ -15,8 +20,19 @@ namespace {
 
 /// Segments are whole multiples of this, so that three mip levels never mix two of them.
 constexpr std::uint32_t kSegmentAlignment = 8;
+/// Maps of further lights are whole multiples of this, and at least so large.
+constexpr std::uint32_t kMapStep = 64;
+
+/// Side of the table of unshadowed integrals (rays_on_rows.glsl): bilinear in it, they are within 10^-4 of the mean.
+constexpr std::uint32_t kUnshadowedSize = 256;
+/// A light nearer to the eye, m, counts as being this far off: the axis from eye to light needs a length.
+constexpr float kLeastDistance = 1e-3f;
 
 Rectification rectification(const Settings& settings) { return static_cast<Rectification>(settings.rectification); }
+/// Whether the maps of a class may be projective: those of suns, unless the rectification is epipolar alone.
+bool isProjective(const Settings& settings, const LightClass& lights) {
+  return !lights.local && rectification(settings) != Rectification::kEpipolar;
+}
 
 /// Parts that are prefixed each on its own: `regions` of each map.
 void setSegments(RectificationBlock& map, std::uint32_t regions) {
@@ -27,6 +43,13 @@ void setSegments(RectificationBlock& map, std::uint32_t regions) {
   for (std::uint32_t split = 0; split < map.splits; ++split)
     for (std::uint32_t start = 0; start < map.columns; start += length)
       map.segmentStart[++map.segmentCount] = split * map.columns + std::min(start + length, map.columns);
+}
+
+/// One part: the columns of all maps.
+void setWhole(RectificationBlock& map) {
+  map.segmentCount = 1;
+  map.segmentStart[0] = 0;
+  map.segmentStart[1] = map.columns * map.splits;
 }
 
 /// An epipolar map that stands in for projective ones is parted where they would be, so that a switch between both changes neither the
@@ -60,8 +83,8 @@ glm::vec2 onScreen(const RayBlock& rays, const glm::vec3& direction) {
 }
 
 /// Chooses the map of this frame, parts it, and fills the matrices of its splits if it is projective.
-RectificationBlock chooseMap(const FrameContext& context, const RectificationInput& input, std::uint32_t light) {
-  const Settings& settings = context.settings;
+RectificationBlock chooseMap(const FrameContext& context, const Settings& settings, const RectificationInput& input, std::uint32_t light,
+                             bool parted) {
   const std::uint32_t splits = context.roles.splits;
   std::optional<LinearFrame> linear;
   if (rectification(settings) != Rectification::kEpipolar) linear = linearFrame(input, splits);
@@ -72,7 +95,9 @@ RectificationBlock chooseMap(const FrameContext& context, const RectificationInp
   wide.columns *= std::max(1u, splits);
   RectificationBlock map = useLinear ? linear->block : epipolarBlock(wide);
   const auto regions = static_cast<std::uint32_t>(settings.regions);
-  if (!useLinear && splits > 1 && map.reach > 0)
+  if (!parted)
+    setWhole(map);
+  else if (!useLinear && splits > 1 && map.reach > 0)
     setSegmentsByDistance(map, splits, regions, input.rays.znear, linear);
   else
     setSegments(map, regions);
@@ -84,39 +109,109 @@ RectificationBlock chooseMap(const FrameContext& context, const RectificationInp
   return map;
 }
 
-}  // namespace
-
-void addRowBlocks(const Settings& settings, LayoutBuilder& builder) {
-  builder.specializeAll({{13, rectification(settings) != Rectification::kEpipolar ? 1u : 0u},
-                         {14, static_cast<SliceSpacing>(settings.slice_spacing) == SliceSpacing::kBorder ? 1u : 0u}});
-  builder.uniform("frame", sizeof(RectifiedBlock), false);
-  builder.uniform("sun", sizeof(RectifiedSunBlock), true);
+void setCookie(const TyLight& light, const glm::vec3& eye, RectifiedLightBlock& block) {
+  // A host of before the cookies hands in a shorter struct.
+  if (light.struct_size < offsetof(TyLight, cookie_repeats) + sizeof light.cookie_repeats) return;
+  block.cookieFaces = light.cookie_faces;
+  block.cookieRepeats = light.cookie_repeats;
+  const glm::dmat4 worldFromEye = glm::translate(glm::dmat4(1), glm::dvec3(eye));
+  block.cookieFromEye = glm::mat4(glm::dmat4(glm::make_mat4(light.cookie_from_world)) * worldFromEye);
 }
 
-RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, DepthBits bits, bool filterable) {
+/// The most important light has the map that the settings ask for; further ones have as much as they have of the screen.
+void shareOfScreen(const FrameContext& context, RectificationInput& input, std::uint32_t light, const LocalBlock& local) {
+  if (light == 0) return;
+  const double side = std::sqrt(screenShare(local, context.block<RectifiedBlock>(kFrameBlock).rays));
+  const auto part = [&](std::uint32_t whole) {
+    const auto wanted = static_cast<std::uint32_t>(std::ceil(side * whole / kMapStep)) * kMapStep;
+    return std::clamp(wanted, std::min(kMapStep, whole), whole);
+  };
+  input.columns = part(input.columns);
+  input.slices = part(input.slices);
+}
+
+/// Passes "shine" and "lit".
+void addShine(LayoutBuilder& builder, RectifyStage& stage, std::uint32_t rays, const Settings& settings) {
+  const std::uint32_t channels = rays * (stage.lights.coloured ? 3 : 1), quads = (channels + 3) / 4;
+  stage.weights = builder.image("column_weights", TY_FORMAT_RGBA32_FLOAT, stage.slices, stage.rows, quads, true);
+  stage.lit = builder.image("lit", TY_FORMAT_RGBA16_UNORM, stage.slices, stage.rows, quads, true);
+  const TyBinding slices = bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ);
+  builder.compute({"shine", "shine.comp",
+                   {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), slices,
+                    stage.lights.coloured ? lightCookieAt(3) : sampledAt(3, stage.rectified), storageAt(4, stage.weights)},
+                   groups8(stage.slices), groups8(stage.rows), 1, kEachLight, {{1, rays}}});
+  const std::uint32_t parts = stage.rows / static_cast<std::uint32_t>(settings.columns) * static_cast<std::uint32_t>(settings.regions);
+  builder.compute({"lit", "lit.comp",
+                   {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), slices, sampledAt(3, stage.weights), storageAt(4, stage.lit)},
+                   (stage.slices + 31) / 32, parts, 1, kEachLight, {{1, rays}}});
+  builder.debugView("lit", "What fully lit rays receive of the light's strength and colour up to each column, first reference ray",
+                    TY_SOURCE_IMAGE, stage.lit, 0, stage.lights.coloured ? 4 : 0, 0.0f, 1.0f);
+}
+
+}  // namespace
+
+void addRowBlocks(LayoutBuilder& builder) {
+  builder.uniform("frame", sizeof(RectifiedBlock), false);
+  builder.uniform("light", sizeof(RectifiedLightBlock), true);
+  builder.uniform("local light", sizeof(LocalBlock), true);
+}
+
+TyBinding resultAt5(const LightClass& lights, bool add) {
+  // A lone spot or point light may be left out of a frame, which a clearing pass before it provides for.
+  return outputAt(5, add || lights.local ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE);
+}
+
+std::vector<LightClass> lightClasses(const LayoutContext& context) {
+  std::vector<LightClass> classes;
+  if (context.directionalLights > 0) classes.push_back({false, context.sunCookies, context.sunCookies});
+  if (context.localLights() > 0) classes.push_back({true, true, context.localCookies});
+  return classes;
+}
+
+void beginClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights) {
+  const Settings& settings = context.settings;
+  builder.lights(lights.local ? kLocalLights : kSuns);
+  builder.specializeAll({{13, isProjective(settings, lights) ? 1u : 0u},
+                         {14, static_cast<SliceSpacing>(settings.slice_spacing) == SliceSpacing::kBorder ? 1u : 0u},
+                         {15, lights.local ? 1u : 0u},
+                         {27, lights.shaped ? 1u : 0u},
+                         {28, lights.coloured ? 1u : 0u}});
+}
+
+TyBinding weightsAt20(const RectifyStage& stage) { return sampledAt(20, stage.weights); }
+TyBinding unshadowedAt21(const RectifyStage& stage) { return sampledAt(21, stage.unshadowed); }
+TyBinding litAt22(const RectifyStage& stage) {
+  return sampledAt(22, stage.lit, stage.lights.shaped ? TY_SAMPLER_LINEAR_CLAMP : TY_SAMPLER_NEAREST_CLAMP);
+}
+
+RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights, DepthBits bits, bool filterable) {
   const Settings& settings = context.settings;
   const auto columns = static_cast<std::uint32_t>(settings.columns);
   const auto rays = static_cast<std::uint32_t>(settings.reference_rays);
-  const bool projective = rectification(settings) != Rectification::kEpipolar;
+  const bool projective = isProjective(settings, lights);
+  filterable &= !lights.local;
   RectifyStage stage;
+  stage.lights = lights;
   stage.slices = static_cast<std::uint32_t>(settings.slices);
   stage.rows = columns * (projective ? static_cast<std::uint32_t>(settings.splits) : 1);
   stage.filtered = filterable && settings.filtered_resampling != 0 && context.shadowMoments != TY_FORMAT_UNKNOWN;
-  builder.roles().momentsMissing = filterable && settings.filtered_resampling != 0 && !stage.filtered;
+  builder.roles().momentsMissing |= filterable && settings.filtered_resampling != 0 && !stage.filtered;
   const TyFormat single = bits == DepthBits::k16 ? TY_FORMAT_R16_UNORM : TY_FORMAT_R32_FLOAT;
   const TyFormat pair = bits == DepthBits::k16 ? TY_FORMAT_RGBA16_UNORM : TY_FORMAT_RGBA32_FLOAT;
 
   stage.sliceBuffer = builder.buffer("slices", sizeof(Slice) * std::uint64_t{stage.slices});
   stage.rectified = builder.image("rectified", stage.filtered ? pair : single, stage.slices, stage.rows, 1, true);
   builder.compute({"slices", "slices.comp",
-                   {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_WRITE)},
-                   (stage.slices + 63) / 64, 1, 1, true, {{0, rays}}});
-  builder.roles().rectifyPass = builder.compute(
-      {"rectify", "rectify.comp",
-       {uniformAt(0, kSunBlock), bufferAt(1, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
-        stage.filtered ? shadowMomentsAt(2) : shadowMapAt(2), storageAt(3, stage.rectified)},
-       groups8(stage.slices), groups8(stage.rows), 1, true,
-       {{0, stage.filtered ? 1u : 0u}, {1, context.shadowMoments == TY_FORMAT_RGBA16_UNORM ? 1u : 0u}}});
+                   {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_WRITE)},
+                   (stage.slices + 63) / 64, 1, 1, kEachLight, {{0, rays}}});
+  const std::vector<TyBinding> bindings{uniformAt(0, kLightBlock), bufferAt(1, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
+                                        stage.filtered ? shadowMomentsAt(2) : shadowMapAt(2), storageAt(3, stage.rectified)};
+  if (lights.local)
+    builder.compute({"rectify", "rectify_local.comp", bindings, groups8(stage.slices), groups8(stage.rows), 1, kEachLight, {}});
+  else
+    builder.roles().rectifyPass = builder.compute(
+        {"rectify", "rectify.comp", bindings, groups8(stage.slices), groups8(stage.rows), 1, kEachLight,
+         {{0, stage.filtered ? 1u : 0u}, {1, context.shadowMoments == TY_FORMAT_RGBA16_UNORM ? 1u : 0u}}});
   builder.debugView("rectified", "Rectified map, resampled: slices along x, columns along y; depth of the first blocker, white = none",
                     TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f);
   if (stage.filtered) {
@@ -127,7 +222,15 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, De
     builder.debugView("shadow_moments", "The first light's moment shadow map that the rows are made of, first three channels",
                       TY_SOURCE_SHADOW_MOMENTS, 0, 0, 4, 0.0f, 1.0f);
   }
-  stage.projective = stage.rectified;
+  stage.projective = stage.weights = stage.lit = stage.unshadowed = stage.rectified;
+  if (lights.local) {
+    stage.unshadowed = builder.image("unshadowed", TY_FORMAT_R32_FLOAT, kUnshadowedSize, kUnshadowedSize, 1, true);
+    builder.compute({"unshadowed", "unshadowed.comp", {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), storageAt(2, stage.unshadowed)},
+                     kUnshadowedSize, 1, 1, kEachLight, {}});
+    builder.debugView("unshadowed", "Table of unshadowed integrals of a spot or point light: share of the angles at the light along x, inclination along y",
+                      TY_SOURCE_IMAGE, stage.unshadowed, 0, 0, 0.0f, 0.2f);
+  }
+  if (lights.shaped) addShine(builder, stage, rays, settings);
   if (!projective) return stage;
 
   const auto splits = static_cast<std::uint32_t>(settings.splits);
@@ -146,32 +249,57 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, De
   return stage;
 }
 
-void prepareRectify(const FrameContext& context) {
-  const Settings& settings = context.settings;
+void prepareRectify(const FrameContext& context, bool parted) {
+  Settings settings = context.settings;
+  if (!parted) settings.regions = 1;
   auto& frame = context.block<RectifiedBlock>(kFrameBlock);
   frame.rays = rayBlock(*context.frame.view, settings);
   frame.rectified.reference_ray = settings.reference_ray;
   frame.rectified.weights = settings.weights;
   frame.rectified.near_correction = settings.near_correction;
   frame.rectified.epipole_block = settings.epipole_block;
+  bool anyLocal = false;
   for (std::uint32_t i = 0; i < context.frame.light_count; ++i) {
     const TyLight& light = context.frame.lights[i];
-    if (light.kind != TY_LIGHT_DIRECTIONAL) continue;
-    auto& block = context.block<RectifiedSunBlock>(kSunBlock, i);
-    block.sun = sunBlock(light, frame.rays.eye);
+    auto& block = context.block<RectifiedLightBlock>(kLightBlock, i);
     RectificationInput input;
     input.rays = frame.rays;
-    input.towards = block.sun.towards;
-    for (std::size_t corner = 0; corner < 8; ++corner) input.casterCorners[corner] = glm::make_vec3(light.caster_corners[corner]);
     input.columns = static_cast<std::uint32_t>(settings.columns);
     input.slices = static_cast<std::uint32_t>(settings.slices);
     input.spacing = static_cast<SliceSpacing>(settings.slice_spacing);
-    block.map = chooseMap(context, input, i);
+    setCookie(light, frame.rays.eye, block);
+    if (light.kind == TY_LIGHT_DIRECTIONAL) {
+      block.sun = sunBlock(light, frame.rays.eye);
+      input.towards = block.sun.towards;
+      input.wholeView = block.cookieFaces != 0;
+      for (std::size_t corner = 0; corner < 8; ++corner) input.casterCorners[corner] = glm::make_vec3(light.caster_corners[corner]);
+      block.map = chooseMap(context, settings, input, i, parted);
+      const glm::vec3 a = block.sun.towards;
+      block.map.shadowAlong = block.sun.shadowX * a.x + block.sun.shadowY * a.y + block.sun.shadowZ * a.z;
+    } else {
+      block.local = localBlock(light, frame.rays.eye);
+      context.block<LocalBlock>(kLocalBlock, i) = block.local;
+      if (reachesView(block.local, frame.rays)) {
+        anyLocal = true;
+      } else {
+        for (const std::uint32_t pass : context.roles.localPasses) context.skip(pass, i);
+        continue;
+      }
+      block.distance = std::max(glm::length(block.local.position), kLeastDistance);
+      // At the eye itself any direction will do.
+      block.sun.towards = input.towards =
+          glm::length(block.local.position) < kLeastDistance ? -frame.rays.forward : block.local.position / block.distance;
+      shareOfScreen(context, input, i, block.local);
+      block.map = epipolarBlock(input);
+      setSegments(block.map, static_cast<std::uint32_t>(settings.regions));
+      block.thetaLow = std::max(block.map.depthLow, 0.0f);
+      block.thetaHigh = std::min(block.map.depthLow + 1 / block.map.depthScale, std::numbers::pi_v<float>);
+    }
     block.map.depthPower = 1.0f / (1.0f + settings.depth_warp);
-    const glm::vec3 a = block.sun.towards;
-    block.map.shadowAlong = block.sun.shadowX * a.x + block.sun.shadowY * a.y + block.sun.shadowZ * a.z;
-    block.epipoles = glm::vec4(onScreen(frame.rays, a), onScreen(frame.rays, -a));
+    block.epipoles = glm::vec4(onScreen(frame.rays, block.sun.towards), onScreen(frame.rays, -block.sun.towards));
   }
+  // The only light's pass writes the result itself, or else the clearing pass does.
+  if (anyLocal && context.roles.standInClear != TY_NONE) context.skip(context.roles.standInClear, 0);
 }
 
 }  // namespace volumetrics

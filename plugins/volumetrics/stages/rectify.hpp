@@ -9,8 +9,21 @@ namespace volumetrics {
 
 using namespace tyndall::shared;
 
-/// Uniform blocks of every technique on rows, in this order: a RectifiedBlock a frame, a RectifiedSunBlock a sun.
-constexpr std::uint32_t kFrameBlock = 0, kSunBlock = 1;
+/// Uniform blocks of every technique on rows, in this order: a RectifiedBlock a frame, a RectifiedLightBlock a light.
+constexpr std::uint32_t kFrameBlock = 0, kLightBlock = 1;
+/// The LocalBlock of each spot or point light by itself, for the dense march of debug views.
+constexpr std::uint32_t kLocalBlock = 2;
+
+/// Lights that the same passes serve: suns, or spot and point lights.
+struct LightClass {
+  bool local = false;
+  bool shaped = false;    ///< light rays differ in strength: cones, cookies
+  bool coloured = false;  ///< some have a cookie
+};
+/// The classes of a layout's lights. For each, begin with beginClass() and add all passes; images are shared.
+std::vector<LightClass> lightClasses(const LayoutContext& context);
+/// Directs passes for kEachLight to the class, and sets the constants of stages/rows.glsl.
+void beginClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights);
 
 /// How finely a technique wants its rectified depths stored.
 enum class DepthBits { k16, k32 };
@@ -23,16 +36,29 @@ struct RectifyStage {
   std::uint32_t slices = 0;
   std::uint32_t rows = 0;              ///< columns of all splits: height of what is made of the maps
   bool filtered = false;               ///< texels of the resampled map hold two depths
+  LightClass lights;
+  std::uint32_t weights = TY_NONE;     ///< of columns (stages/shine.comp.glsl); where light rays do not differ, the resampled map as stand-in
+  std::uint32_t lit = TY_NONE;         ///< answers of lit rays (stages/lit.comp.glsl); likewise
+  std::uint32_t unshadowed = TY_NONE;  ///< table of spot and point lights (stages/unshadowed.comp.glsl); likewise
 };
 
-/// Adds both blocks, passes "slices", "rectify" and, unless the rectification is epipolar alone, "rectify linear", once per sun.
-/// `filterable`: the technique can take two depths a texel (volumetrics.filtered_resampling).
-RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, DepthBits bits, bool filterable);
-/// Adds the two uniform blocks of addRectify(), which comes after, and the constants of stages/rows.glsl.
-void addRowBlocks(const Settings& settings, LayoutBuilder& builder);
+/// The bindings of what evaluation and prefix read where light rays differ or the light is near: 20 weights, 21 table, 22 lit.
+TyBinding weightsAt20(const RectifyStage& stage);
+TyBinding unshadowedAt21(const RectifyStage& stage);
+TyBinding litAt22(const RectifyStage& stage);
+/// The result, for the pass that evaluates a class.
+TyBinding resultAt5(const LightClass& lights, bool add);
 
-/// Fills both blocks but for the technique's own fields, and skips the passes of the rectification that this frame does not use.
-void prepareRectify(const FrameContext& context);
+/// Adds, once per light of the class, "slices", "rectify" and, for suns unless the rectification is epipolar alone, "rectify linear"; for
+/// spot and point lights "unshadowed"; where light rays differ "shine" and "lit".
+/// `filterable`: the technique can take two depths a texel (volumetrics.filtered_resampling; suns only).
+RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights, DepthBits bits, bool filterable);
+/// Adds the two uniform blocks of addRectify(), which comes after.
+void addRowBlocks(LayoutBuilder& builder);
+
+/// Fills both blocks but for the technique's own fields, and skips the passes of the rectification that this frame does not use, and all of
+/// spot and point lights that reach no view ray. `parted`: the prefix starts anew in every region and split.
+void prepareRectify(const FrameContext& context, bool parted = true);
 
 /// Ids of the parameters that the stage and stages/rays_on_rows.glsl read, for a technique's list.
 #define TY_RECTIFY_READS                                                                                                   \

@@ -1,17 +1,41 @@
-// The reference rays of a slice: inclinations for which the prefix is kept. Needs lib/epipolar.glsl, and in scope `frame` (RectifiedBlock) and
-// `light` (RectifiedSunBlock).
+// The reference rays of a slice: inclinations for which the prefix is kept. Needs lib/epipolar.glsl, lib/local_row.glsl and
+// stages/rows.glsl, and in scope `frame` (RectifiedBlock) and `light` (RectifiedLightBlock).
 const int kWeightsTransmittance = 1;
 
 // Optical depth of the widest row seen across the light, floored: the coordinate of the reference rays needs it above 0.
 float referenceKappa() { return max(frame.rays.sigma_t * light.map.reach, 1e-2); }
 
-// Where a cosecant of the inclination lies between the extreme reference rays of a slice: [-1, 1], as Chebyshev nodes are.
-float referencePlace(float nodeLow, float nodeHigh, float cosecant_) {
-  return clamp((2.0 * referenceCoordinate(cosecant_, referenceKappa()) - nodeLow - nodeHigh) / max(nodeHigh - nodeLow, 1e-6), -1.0, 1.0);
+// The coordinate in which the reference inclinations of a slice are spread: for a sun that of lib/epipolar.glsl, for other lights log(theta),
+// theta floored as the sine is there.
+float referencePosition(float theta) {
+  return kLocal ? log(max(theta, 0.02)) : referenceCoordinate(cosecant(theta), referenceKappa());
 }
 
-// Optical depth that reference ray k of a slice has per metre of distance from the axis; 0 for equal weights.
-float referenceTau(Slice s, int k, int count) {
+// Where an inclination lies between the extreme reference rays of a slice: [-1, 1], as Chebyshev nodes are.
+float referencePlace(float nodeLow, float nodeHigh, float theta) {
+  return clamp((2.0 * referencePosition(theta) - nodeLow - nodeHigh) / max(nodeHigh - nodeLow, 1e-6), -1.0, 1.0);
+}
+
+// What the weights of reference ray k of a slice depend on: for a sun its optical depth per metre of distance from the axis, 0 for equal
+// weights; for other lights its inclination.
+float referenceKey(Slice s, int k, int count) {
   float node = mix(s.nodeLow, s.nodeHigh, 0.5 + 0.5 * chebyshevNode(k, count));
+  if (kLocal) return exp(node);
   return frame.rectified.weights == kWeightsTransmittance ? frame.rays.sigma_t * referenceCosecant(node, referenceKappa()) : 0.0;
+}
+
+// A reference ray gives no column less than these leave it: optical depth of the way, and share of the range's window.
+const float kMostWay = 4.0;
+const float kLeastWindow = 0.02;
+
+float rangeOverDistance() { return light.local.range / light.distance; }
+
+// Weight of the columns between two coordinates for a reference ray, but for a factor that all columns of a slice share.
+float referenceWeight(Slice s, float key, float from, float to) {
+  float a = columnDistance(s, from);
+  float b = columnDistance(s, to);
+  if (!kLocal) return transmittanceIntegral(key, a - s.first, b - s.first);
+  if (frame.rectified.weights != kWeightsTransmittance) return b - a;
+  return (b - a) * localWeight(key, 0.5 * (a + b), frame.rays.sigma_t * light.distance, frame.rays.g, rangeOverDistance(), kMostWay,
+                               kLeastWindow);
 }

@@ -1,11 +1,14 @@
 // From view rays to rows of the rectified map. Needs lib/epipolar.glsl and stages/rectified.h before it, and in scope:
-// `light` (RectifiedSunBlock) and `slices[]` (Slice).
+// `light` (RectifiedLightBlock) and `slices[]` (Slice).
 
 const float kPi = 3.14159265358979;
 
 // What the layout can come to: a branch that cannot be taken costs as much as one that is, on a device that runs both under masks.
 layout(constant_id = 13) const bool kProjective = true;
 layout(constant_id = 14) const bool kBorder = true;
+layout(constant_id = 15) const bool kLocal = false;   // spot and point lights: columns are angles at the light
+layout(constant_id = 27) const bool kShaped = false;  // light rays differ in strength: cones and cookies
+layout(constant_id = 28) const bool kColoured = false;  // and in colour
 bool byTangent() { return kProjective && light.map.slicing == kSlicesByTangent; }
 bool byBorder() { return kBorder && light.map.slicing == kSlicesByBorder; }
 
@@ -45,7 +48,7 @@ float rectifiedDepth(float c, float h) {
 
 uint totalColumns() { return light.map.columns * light.map.splits; }
 
-// Distance from the axis, m, at a column coordinate in [0, totalColumns()].
+// Distance from the axis, m, or angle at the light, rad, at a column coordinate in [0, totalColumns()].
 float columnDistance(Slice s, float column) {
   float at = column / float(light.map.columns);
   if (!byTangent()) return mix(s.first, s.last, at);
@@ -53,7 +56,7 @@ float columnDistance(Slice s, float column) {
   return s.perX / mix(light.map.inverse[i], light.map.inverse[i + 1u], at - float(i));
 }
 
-// The column coordinate at distance c from the axis, clamped to the map.
+// The column coordinate at distance (or angle) c from the axis, clamped to the map.
 float columnAt(Slice s, float c) {
   float columns = float(light.map.columns);
   if (!byTangent())

@@ -28,16 +28,19 @@ constexpr std::uint32_t kMostScanLanes = 512;
 
 /// Shape of the matrices: what tree.glsl and the shaders are specialized with.
 struct Matrix {
-  std::uint32_t bits, levels, binBits, vectors;
+  std::uint32_t bits, levels, binBits;
+  std::uint32_t channels;  ///< shares a position: reference rays times colours
+  std::uint32_t vectors;   ///< texels a position
   std::uint32_t elements() const { return 1u << bits; }
 };
 
-Matrix matrixOf(const Settings& settings, std::uint32_t columns) {
+Matrix matrixOf(const Settings& settings, std::uint32_t columns, const LightClass& lights) {
   Matrix matrix{};
   matrix.bits = static_cast<std::uint32_t>(std::bit_width(columns - 1));
   matrix.levels = settings.levels == 0 ? matrix.bits : std::min(static_cast<std::uint32_t>(settings.levels), matrix.bits);
   matrix.binBits = std::min(matrix.bits + 1, kMostBinBits);
-  matrix.vectors = (static_cast<std::uint32_t>(settings.reference_rays) + 4) / 4;
+  matrix.channels = static_cast<std::uint32_t>(settings.reference_rays) * (lights.coloured ? 3 : 1);
+  matrix.vectors = (matrix.channels + 4) / 4;
   return matrix;
 }
 
@@ -66,14 +69,14 @@ struct Scan {
 };
 
 /// A software device has nothing to hide latency behind, so there one subgroup builds a row.
-Scan scanOf(const TyDevice& device, const Matrix& matrix, std::uint32_t rays, bool sixteenBit) {
+Scan scanOf(const TyDevice& device, const Matrix& matrix, bool sixteenBit) {
   const std::uint32_t shared = std::max(device.max_shared_memory, kLeastSharedBytes);
   const std::uint32_t subgroup = std::bit_floor(std::max(device.subgroup_size, 1u));
   const std::uint32_t most = std::min(std::bit_floor(std::max(device.max_workgroup_invocations, kLeastInvocations)), kMostScanLanes);
   Scan scan;
   scan.lanes = device.is_cpu != 0 ? subgroup : std::clamp(matrix.elements() / kScanElements, subgroup, std::max(most, subgroup));
   scan.lanes = std::min(scan.lanes, matrix.elements() / 2);
-  const std::uint32_t quads = (1 + 2 * rays + 3) / 4;
+  const std::uint32_t quads = (1 + 2 * matrix.channels + 3) / 4;
   const std::uint32_t bytes = 4 * matrix.elements() + 4 * ((1u << matrix.binBits) + 1) + scan.lanes * 32 * quads + 8;
   // Subgroups must be whole.
   if (bytes > shared || scan.lanes % subgroup != 0) return {};
@@ -98,12 +101,12 @@ struct Images {
 void addBuild(const LayoutContext& context, LayoutBuilder& builder, const RectifyStage& stage, const Matrix& matrix, const Scan& scan,
               const Images& images) {
   const std::vector<TySpecialization> constants = constantsOf(matrix, context.settings, scan.lanes > 0);
-  const std::vector<TyBinding> bindings{uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock),
+  const std::vector<TyBinding> bindings{uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock),
                                         bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), sampledAt(3, stage.rectified),
                                         sampledAt(4, stage.projective), storageAt(5, images.bounds), storageAt(6, images.levels),
-                                        storageAt(7, images.ranks)};
+                                        storageAt(7, images.ranks), weightsAt20(stage)};
   if (scan.lanes > 0) {
-    ComputePass pass{"build", "exact_scan.comp", bindings, stage.slices, 1, 1, kSuns, constants};
+    ComputePass pass{"build", "exact_scan.comp", bindings, stage.slices, 1, 1, kEachLight, constants};
     pass.specializations.push_back({10, scan.lanes});
     pass.specializations.push_back({26, scan.staged ? matrix.elements() * matrix.vectors : 1});
     builder.compute(std::move(pass));
@@ -120,7 +123,7 @@ void addBuild(const LayoutContext& context, LayoutBuilder& builder, const Rectif
   const std::uint32_t scratch = builder.buffer("scratch", onStack ? 4 : 4 * words * groups * 32);
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const auto& [first, last] = passes[i];
-    ComputePass pass{"build", "exact_build.comp", bindings, groups, 1u << first, 1, kSuns, constants};
+    ComputePass pass{"build", "exact_build.comp", bindings, groups, 1u << first, 1, kEachLight, constants};
     pass.bindings.push_back(storageAt(8, order, i == 0 ? TY_ACCESS_STORAGE_WRITE : TY_ACCESS_STORAGE_READ_WRITE));
     pass.bindings.push_back(bufferAt(9, scratch, TY_ACCESS_STORAGE_WRITE));
     for (const auto& [id, value] : {std::pair{20u, first}, {21u, last}, {22u, i == 0 ? 1u : 0u}, {23u, i + 1 < passes.size() ? 1u : 0u},
@@ -130,19 +133,18 @@ void addBuild(const LayoutContext& context, LayoutBuilder& builder, const Rectif
   }
 }
 
-void layout(const LayoutContext& context, LayoutBuilder& builder) {
+void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights, bool add) {
   const Settings& settings = context.settings;
-  addRowBlocks(settings, builder);
-  const bool add = beginSuns(context, builder, kFrameBlock);
-  if (context.directionalLights == 0) return;
-  const RectifyStage stage = addRectify(context, builder, DepthBits::k16, false);
-  const Matrix matrix = matrixOf(settings, stage.rows);
+  beginClass(context, builder, lights);
+  const RectifyStage stage = addRectify(context, builder, lights, DepthBits::k16, false);
+  const Matrix matrix = matrixOf(settings, stage.rows, lights);
   const bool full = static_cast<Precision>(settings.precision) == Precision::kFull;
   // Where shared memory does not hold a row the scan cannot be had; building by rows and nodes then stands in, as fast as it goes.
   const Scan scan = static_cast<PrefixScheme>(settings.prefix_scheme) == PrefixScheme::kScan
-                        ? scanOf(context.device, matrix, static_cast<std::uint32_t>(settings.reference_rays), !full)
+                        ? scanOf(context.device, matrix, !full)
                         : Scan{};
   const bool scanned = scan.lanes > 0;
+  builder.roles().scanImpossible |= static_cast<PrefixScheme>(settings.prefix_scheme) == PrefixScheme::kScan && !scanned;
   Images images{};
   images.bounds = settings.prefix_bounds != 0 ? builder.image("prefix_bounds", TY_FORMAT_RG16_UNORM, stage.slices, stage.rows)
                                               : builder.image("prefix_bounds", TY_FORMAT_RG16_UNORM, 1, 1);
@@ -153,16 +155,16 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
 
   const auto evaluate = [&](const char* name, const TyBinding& result, bool first, bool steps) {
     ComputePass pass{name, "exact_evaluate.comp",
-                     {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), sceneDepthAt(2),
+                     {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2),
                       bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4), result, sampledAt(6, images.bounds),
                       sampledAt(7, stage.rectified), sampledAt(8, stage.projective), sampledAt(9, images.levels),
-                      sampledAt(10, images.ranks)},
-                     groups8(context.structure.width), groups8(context.structure.height), 1, kSuns, constantsOf(matrix, settings, scanned)};
+                      sampledAt(10, images.ranks), unshadowedAt21(stage), litAt22(stage)},
+                     groups8(context.structure.width), groups8(context.structure.height), 1, kEachLight, constantsOf(matrix, settings, scanned)};
     for (const auto& [id, value] : {std::pair{5u, static_cast<std::uint32_t>(settings.row_filter)}, {6u, first ? 1u : 0u}, {7u, steps ? 1u : 0u}})
       pass.specializations.push_back({id, value});
     builder.compute(std::move(pass));
   };
-  evaluate("evaluate", outputAt(5, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE), !add, false);
+  evaluate("evaluate", resultAt5(lights, add), !add, false);
   builder.tunable(prefixSchemeIndex(), static_cast<double>(PrefixScheme::kAuto),
                   {static_cast<double>(PrefixScheme::kRow), static_cast<double>(PrefixScheme::kBlock),
                    static_cast<double>(PrefixScheme::kScan)},
@@ -187,13 +189,16 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
                       images.bounds, 0, 1, 0.0f, 1.0f);
   }
   addRowViews(context, builder, stage);
-  addDifferenceView(context, builder, kFrameBlock, kSunBlock, TY_NONE);
 }
+
+void layout(const LayoutContext& context, LayoutBuilder& builder) { addRowLayout(context, builder, addClass); }
+
+void prepare(const FrameContext& context) { prepareRectify(context, false); }
 
 constexpr std::array kTechniques = {
     Technique{"exact", "Exact prefix visibility",
               "Walks a wavelet matrix per rectified row: exact on its map, and as many steps whatever the scene.", kReads, layout,
-              prepareRectify}};
+              prepare, true}};
 
 }  // namespace
 

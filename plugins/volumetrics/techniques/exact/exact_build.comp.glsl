@@ -10,6 +10,8 @@
 #include "lib/portable.h"
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/local_row.glsl"
+#include "lib/local_light.glsl"
 #include "lib/wavelet.glsl"
 #include "stages/rectified.h"
 #include "techniques/exact/tree.glsl"
@@ -24,7 +26,7 @@ layout(constant_id = 25) const bool kPrivate = true;
 layout(constant_id = 23) const bool kSave = false;  // leaves `order` for the next pass
 const bool kFiltered = false;
 layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
-layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 1, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 2, scalar) readonly buffer Slices { Slice slices[]; };
 layout(binding = 3) uniform sampler2DArray rectified;
 layout(binding = 4) uniform sampler2DArray projective;
@@ -33,10 +35,12 @@ layout(binding = 6) uniform writeonly image2DArray levels;
 layout(binding = 7) uniform writeonly image2D ranks;
 layout(binding = 8, r32ui) uniform uimage2D order;
 layout(binding = 9, scalar) buffer Scratch { uint scratch[]; };
+layout(binding = 20) uniform sampler2DArray columnWeights;  // kShaped
 
 #include "stages/rows.glsl"
 #include "stages/reference_rays.glsl"
 #include "stages/texel_depths.glsl"
+#include "stages/channels.glsl"
 #include "techniques/exact/weights.glsl"
 
 const int kMine = kElements >> kFirst;  // elements of this invocation
@@ -110,13 +114,13 @@ void main() {
     int size = kElements >> level;
     int start = 0;
     int zeros = 0;
-    float ofZeros[kReferenceRays];
-    float ofAll[kReferenceRays];
+    float ofZeros[kChannels];
+    float ofAll[kChannels];
     for (int i = 0; i < kMine; ++i) {
       if ((i & (size - 1)) == 0) {  // a node begins
         start = i;
         zeros = 0;
-        for (int k = 0; k < kReferenceRays; ++k) {
+        for (int k = 0; k < kChannels; ++k) {
           ofZeros[k] = 0.0;
           ofAll[k] = 0.0;
         }
@@ -128,10 +132,11 @@ void main() {
       zeros += one ? 0 : 1;
       vec4 texel[kVectors];
       texel[0].x = float(zeros) / kCountScale;
-      for (int k = 0; k < kReferenceRays; ++k) {
-        float weight = columnWeight(s, falloff[k], column);
-        ofAll[k] += weight;
-        ofZeros[k] += one ? 0.0 : weight;
+      float weight[kChannelSlots];
+      columnWeight(slice, s, falloff, column, weight);
+      for (int k = 0; k < kChannels; ++k) {
+        ofAll[k] += weight[k];
+        ofZeros[k] += one ? 0.0 : weight[k];
         texel[(k + 1) / 4][(k + 1) % 4] = waveletShare(ofZeros[k], ofAll[k]);
       }
       for (int v = 0; v < kVectors; ++v) imageStore(levels, levelTexel(slice, base + i, level * kVectors + v), texel[v]);

@@ -10,6 +10,8 @@
 #include "lib/portable.h"
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/local_row.glsl"
+#include "lib/local_light.glsl"
 #include "lib/wavelet.glsl"
 #include "stages/rectified.h"
 #include "techniques/exact/tree.glsl"
@@ -21,21 +23,23 @@ layout(constant_id = 10) const int kLanes = 32;      // whole subgroups
 layout(constant_id = 26) const int kStaged = 1;      // texels, packed to 16 bit, that wait in shared memory to be stored side by side; 1: none
 const bool kFiltered = false;
 layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
-layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 1, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 2, scalar) readonly buffer Slices { Slice slices[]; };
 layout(binding = 3) uniform sampler2DArray rectified;
 layout(binding = 4) uniform sampler2DArray projective;
 layout(binding = 5) uniform writeonly image2D bounds;
 layout(binding = 6) uniform writeonly image2DArray levels;
 layout(binding = 7) uniform writeonly image2D ranks;
+layout(binding = 20) uniform sampler2DArray columnWeights;  // kShaped
 
 #include "stages/rows.glsl"
 #include "stages/reference_rays.glsl"
 #include "stages/texel_depths.glsl"
+#include "stages/channels.glsl"
 #include "techniques/exact/weights.glsl"
 
 const int kOwn = kElements / kLanes;       // elements of an invocation, neighbours
-const int kSums = 1 + 2 * kReferenceRays;  // zeros; their weight and that of all, for each reference ray
+const int kSums = 1 + 2 * kChannels;  // zeros; their weight and that of all, in each channel
 const int kQuads = (kSums + 3) / 4;
 const int kOwnBins = (kBins + kLanes) / kLanes;  // of the kBins + 1
 
@@ -168,9 +172,9 @@ void main() {
     for (int i = 0; i < kOwn; ++i) own[i] = element[first + i];
     int start = first;
     int zeros = 0;
-    float ofZeros[kReferenceRays];
-    float ofAll[kReferenceRays];
-    for (int k = 0; k < kReferenceRays; ++k) {
+    float ofZeros[kChannels];
+    float ofAll[kChannels];
+    for (int k = 0; k < kChannels; ++k) {
       ofZeros[k] = 0.0;
       ofAll[k] = 0.0;
     }
@@ -180,10 +184,11 @@ void main() {
       for (int i = 0; i < kOwn; ++i) {
         bool one = waveletOne(int(own[i] >> 16), level, kBits);
         sums[0].x += one ? 0.0 : 1.0;
-        for (int k = 0; k < kReferenceRays; ++k) {
-          float weight = columnWeight(s, falloff[k], int(own[i] & 0xffffu));
-          sums[(2 * k + 1) / 4][(2 * k + 1) % 4] += one ? 0.0 : weight;
-          sums[(2 * k + 2) / 4][(2 * k + 2) % 4] += weight;
+        float weight[kChannelSlots];
+        columnWeight(slice, s, falloff, int(own[i] & 0xffffu), weight);
+        for (int k = 0; k < kChannels; ++k) {
+          sums[(2 * k + 1) / 4][(2 * k + 1) % 4] += one ? 0.0 : weight[k];
+          sums[(2 * k + 2) / 4][(2 * k + 2) % 4] += weight[k];
         }
       }
       scanSums(sums, wide);
@@ -193,7 +198,7 @@ void main() {
       for (int q = 0; q < kQuads; ++q)
         since[q] = max(before[lane() * uint(kQuads) + uint(q)] - before[(start / kOwn) * kQuads + q], vec4(0.0));
       zeros = int(since[0].x);
-      for (int k = 0; k < kReferenceRays; ++k) {
+      for (int k = 0; k < kChannels; ++k) {
         ofZeros[k] = since[(2 * k + 1) / 4][(2 * k + 1) % 4];
         ofAll[k] = since[(2 * k + 2) / 4][(2 * k + 2) % 4];
       }
@@ -203,7 +208,7 @@ void main() {
       if ((at & (size - 1)) == 0) {  // a node begins
         start = at;
         zeros = 0;
-        for (int k = 0; k < kReferenceRays; ++k) {
+        for (int k = 0; k < kChannels; ++k) {
           ofZeros[k] = 0.0;
           ofAll[k] = 0.0;
         }
@@ -213,10 +218,11 @@ void main() {
       zeros += one ? 0 : 1;
       vec4 texel[kVectors];
       texel[0].x = float(zeros) / kCountScale;
-      for (int k = 0; k < kReferenceRays; ++k) {
-        float weight = columnWeight(s, falloff[k], int(own[i] & 0xffffu));
-        ofAll[k] += weight;
-        ofZeros[k] += one ? 0.0 : weight;
+      float weight[kChannelSlots];
+      columnWeight(slice, s, falloff, int(own[i] & 0xffffu), weight);
+      for (int k = 0; k < kChannels; ++k) {
+        ofAll[k] += weight[k];
+        ofZeros[k] += one ? 0.0 : weight[k];
         texel[(k + 1) / 4][(k + 1) % 4] = waveletShare(ofZeros[k], ofAll[k]);
       }
       for (int v = 0; v < kVectors; ++v) {

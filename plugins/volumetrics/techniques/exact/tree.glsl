@@ -1,6 +1,6 @@
 // What the wavelet matrix of a row is made of. A row of 1 << kBits elements (columns, padded) is stored level by level; the texel at
 // position p of a level holds, of the elements of p's node up to and with p: R, how many have a rank whose next bit is 0 (over 65535);
-// then, for each reference ray, the share of their weight that those have. Needs lib/wavelet.glsl.
+// then, for each reference ray and colour, the share of their weight that those have. Needs lib/wavelet.glsl.
 layout(constant_id = 16) const int kBits = 10;
 layout(constant_id = 17) const int kLevels = 10;       // built and walked
 layout(constant_id = 18) const int kBinBits = 11;      // of the table of ranks

@@ -16,12 +16,10 @@ constexpr std::array kReads = {TY_RECTIFY_READS,           TY_PREFIX_READS,
 
 enum class BasisEvaluation { kFused, kSeparate };
 
-void layout(const LayoutContext& context, LayoutBuilder& builder) {
+void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights, bool add) {
   const Settings& settings = context.settings;
-  addRowBlocks(context.settings, builder);
-  const bool add = beginSuns(context, builder, kFrameBlock);
-  if (context.directionalLights == 0) return;
-  const RectifyStage stage = addRectify(context, builder, DepthBits::k16, true);
+  beginClass(context, builder, lights);
+  const RectifyStage stage = addRectify(context, builder, lights, DepthBits::k16, true);
 
   const auto rays = static_cast<std::uint32_t>(settings.reference_rays);
   const std::uint32_t layers = (static_cast<std::uint32_t>(settings.basis_count) + 3) / 4;
@@ -32,9 +30,9 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
   // With the basis evaluated in the filter this pass and its image exist for debug views alone, and run only for them.
   const std::uint32_t basis = builder.image("basis", format, stage.slices, stage.rows, layers, true);
   builder.compute({separate ? "basis" : "debug basis", "fourier_basis.comp",
-                   {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), sampledAt(3, stage.rectified),
+                   {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sampledAt(3, stage.rectified),
                     sampledAt(4, stage.projective), storageAt(6, basis)},
-                   groups8(stage.slices), groups8(stage.rows), layers, true, {{8, stage.filtered ? 1u : 0u}}});
+                   groups8(stage.slices), groups8(stage.rows), layers, kEachLight, {{8, stage.filtered ? 1u : 0u}}});
 
   PrefixTechnique technique{"fourier_prefix.comp", "fourier_evaluate.comp"};
   technique.vectors = vectors;
@@ -56,8 +54,9 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
                       technique.images[0], layer, channel, 0.0f, 1.0f);
   }
   addRowViews(context, builder, stage);
-  addDifferenceView(context, builder, kFrameBlock, kSunBlock);
 }
+
+void layout(const LayoutContext& context, LayoutBuilder& builder) { addRowLayout(context, builder, addClass); }
 
 void prepare(const FrameContext& context) {
   prepareRectify(context);
@@ -67,7 +66,7 @@ void prepare(const FrameContext& context) {
 constexpr std::array kTechniques = {
     Technique{"fourier", "Prefiltered Fourier basis",
               "Prefix sums of a Fourier expansion of the shadow test over rectified rows; a dot product a pixel and reference ray.",
-              kReads, layout, prepare}};
+              kReads, layout, prepare, true}};
 
 }  // namespace
 

@@ -7,13 +7,15 @@
 #include "lib/portable.h"
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/local_row.glsl"
+#include "lib/local_light.glsl"
 #include "lib/fourier.glsl"
 #include "stages/rectified.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 8) const bool kFiltered = false;
 layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
-layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 1, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 3) uniform sampler2DArray rectified;
 layout(binding = 4) uniform sampler2DArray projective;
 layout(binding = 6) uniform writeonly image2DArray basis;

@@ -14,27 +14,29 @@ constexpr std::array kReads = {TY_RECTIFY_READS};
 constexpr std::uint32_t kChunk = 64;  // tree.glsl
 
 void layout(const LayoutContext& context, LayoutBuilder& builder) {
-  addRowBlocks(context.settings, builder);
+  addRowBlocks(builder);
   const bool add = beginSuns(context, builder, kFrameBlock);
   if (context.directionalLights == 0) return;
   // 16 bit hold resampled depths exactly as the map does; rasterised ones are 32-bit, and bounds must not be rounded.
   const bool epipolar = static_cast<Rectification>(context.settings.rectification) == Rectification::kEpipolar;
-  const RectifyStage stage = addRectify(context, builder, epipolar ? DepthBits::k16 : DepthBits::k32, false);
+  const LightClass suns;  // cookies of suns are left out
+  beginClass(context, builder, suns);
+  const RectifyStage stage = addRectify(context, builder, suns, epipolar ? DepthBits::k16 : DepthBits::k32, false);
   const TyFormat format = epipolar ? TY_FORMAT_RG16_UNORM : TY_FORMAT_RG32_FLOAT;
   const std::uint32_t chunks = (stage.rows + kChunk - 1) / kChunk;
   const std::uint32_t low = builder.image("min_max_low", format, stage.slices, chunks * kChunk);
   const std::uint32_t high = builder.image("min_max_high", format, stage.slices, std::bit_ceil(chunks));
   builder.compute({"min-max low", "min_max_low.comp",
-                   {uniformAt(1, kSunBlock), sampledAt(3, stage.rectified), sampledAt(4, stage.projective), storageAt(5, low)},
-                   (stage.slices + 31) / 32, chunks, 1, true, {}});
-  builder.compute({"min-max high", "min_max_high.comp", {uniformAt(1, kSunBlock), sampledAt(3, low), storageAt(5, high)},
-                   (stage.slices + 31) / 32, 1, 1, true, {}});
+                   {uniformAt(1, kLightBlock), sampledAt(3, stage.rectified), sampledAt(4, stage.projective), storageAt(5, low)},
+                   (stage.slices + 31) / 32, chunks, 1, kEachLight, {}});
+  builder.compute({"min-max high", "min_max_high.comp", {uniformAt(1, kLightBlock), sampledAt(3, low), storageAt(5, high)},
+                   (stage.slices + 31) / 32, 1, 1, kEachLight, {}});
   const auto evaluate = [&](const char* name, const TyBinding& result, bool first, bool steps) {
     builder.compute({name, "min_max_evaluate.comp",
-                     {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), sceneDepthAt(2),
+                     {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2),
                       bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4), result,
-                      sampledAt(6, stage.rectified), sampledAt(7, stage.projective), sampledAt(8, low), sampledAt(9, high)},
-                     groups8(context.structure.width), groups8(context.structure.height), 1, true,
+                      sampledAt(6, stage.rectified), sampledAt(7, stage.projective), sampledAt(8, low), sampledAt(9, high), unshadowedAt21(stage)},
+                     groups8(context.structure.width), groups8(context.structure.height), 1, kEachLight,
                      {{5, static_cast<std::uint32_t>(context.settings.row_filter)}, {6, first ? 1u : 0u}, {7, steps ? 1u : 0u}}});
   };
   evaluate("evaluate", outputAt(5, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE), !add, false);
@@ -48,13 +50,15 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
   builder.debugView("tree_max", "Maximum depth of the min-max trees, levels 1 to 6 from top to bottom", TY_SOURCE_IMAGE, low, 0, 1,
                     0.0f, 1.0f);
   addRowViews(context, builder, stage);
-  addDifferenceView(context, builder, kFrameBlock, kSunBlock);
+  addDifferenceView(context, builder, kFrameBlock, kLightBlock);
 }
+
+void prepare(const FrameContext& context) { prepareRectify(context); }
 
 constexpr std::array kTechniques = {
     Technique{"min_max", "Min-max trees",
               "Walks 1D min-max trees over rectified rows: exact on its map, as many steps as the depths are complex.", kReads, layout,
-              prepareRectify}};
+              prepare}};
 
 }  // namespace
 

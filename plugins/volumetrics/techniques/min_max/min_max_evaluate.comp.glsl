@@ -11,6 +11,8 @@
 #include "lib/portable.h"
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/local_row.glsl"
+#include "lib/local_light.glsl"
 #include "stages/rectified.h"
 #include "techniques/min_max/tree.glsl"
 
@@ -20,7 +22,7 @@ layout(constant_id = 6) const bool kFirstLight = true;
 layout(constant_id = 7) const bool kShowSteps = false;
 const bool kFiltered = false;
 layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
-layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 1, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 2) uniform sampler2D sceneDepth;
 layout(binding = 3, scalar) readonly buffer Slices { Slice slices[]; };
 layout(binding = 4) uniform sampler2DArray shadowMap;
@@ -29,6 +31,7 @@ layout(binding = 6) uniform sampler2DArray rectified;
 layout(binding = 7) uniform sampler2DArray projective;
 layout(binding = 8) uniform sampler2D low;
 layout(binding = 9) uniform sampler2D high;
+layout(binding = 21) uniform sampler2DArray unshadowed;
 
 int visited = 0;
 
@@ -79,8 +82,8 @@ float walk(Row row, RowRay ray) {
   return clamp(lit / all, 0.0, 1.0);
 }
 
-float meanVisibility(RowRay ray) {
+vec3 meanVisibility(RowRay ray) {
   float visible = walk(ray.a, ray);
   if (kRowFilter != kRowNearest) visible = mix(walk(ray.b, ray), visible, ray.a.weight);
-  return visible;
+  return vec3(visible);
 }

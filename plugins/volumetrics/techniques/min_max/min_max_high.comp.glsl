@@ -8,7 +8,7 @@
 #include "techniques/min_max/tree.glsl"
 
 layout(local_size_x = 32) in;
-layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 1, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 3) uniform sampler2D low;
 layout(binding = 5) uniform writeonly image2D high;
 

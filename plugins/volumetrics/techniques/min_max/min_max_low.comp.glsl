@@ -6,12 +6,14 @@
 #include "lib/portable.h"
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/local_row.glsl"
+#include "lib/local_light.glsl"
 #include "stages/rectified.h"
 #include "techniques/min_max/tree.glsl"
 
 layout(local_size_x = 32, local_size_y = 1) in;
 const bool kFiltered = false;
-layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 1, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 3) uniform sampler2DArray rectified;
 layout(binding = 4) uniform sampler2DArray projective;
 layout(binding = 5) uniform writeonly image2D low;

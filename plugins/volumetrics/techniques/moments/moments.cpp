@@ -18,7 +18,7 @@ void addMomentViews(LayoutBuilder& builder, const RectifyStage& stage, const std
                     const std::vector<std::uint32_t>& images, int moments) {
   const std::uint32_t shown = builder.image("moments", TY_FORMAT_RGBA32_FLOAT, stage.slices, stage.rows, 2, true);
   builder.compute({"debug moments", "moments_debug.comp", {sampledAt(0, images[0]), sampledAt(1, images[1]), storageAt(2, shown)},
-                   groups8(stage.slices), groups8(stage.rows), 1, true, constants});
+                   groups8(stage.slices), groups8(stage.rows), 1, kEachLight, constants});
   for (int i = 0; i < moments; ++i)
     builder.debugView("moment_" + std::to_string(i + 1),
                       "Prefix average of the depth's power " + std::to_string(i + 1) + " (depth in [-1, 1]), first reference ray",
@@ -27,13 +27,11 @@ void addMomentViews(LayoutBuilder& builder, const RectifyStage& stage, const std
 }
 
 template <int kMoments>
-void layout(const LayoutContext& context, LayoutBuilder& builder) {
+void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights, bool add) {
   const Settings& settings = context.settings;
   const MomentStorage storage = momentStorage(kMoments, static_cast<Precision>(settings.precision));
-  addRowBlocks(context.settings, builder);
-  const bool add = beginSuns(context, builder, kFrameBlock);
-  if (context.directionalLights == 0) return;
-  const RectifyStage stage = addRectify(context, builder, storage.depth, true);
+  beginClass(context, builder, lights);
+  const RectifyStage stage = addRectify(context, builder, lights, storage.depth, true);
 
   const auto rays = static_cast<std::uint32_t>(settings.reference_rays);
   PrefixTechnique technique{"moments_prefix.comp", "moments_evaluate.comp"};
@@ -55,7 +53,11 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
                       technique.images[1], 0, 4, low, 1.0f);
   addMomentViews(builder, stage, technique.prefixConstants, technique.images, kMoments);
   addRowViews(context, builder, stage);
-  addDifferenceView(context, builder, kFrameBlock, kSunBlock);
+}
+
+template <int kMoments>
+void layout(const LayoutContext& context, LayoutBuilder& builder) {
+  addRowLayout(context, builder, addClass<kMoments>);
 }
 
 template <int kMoments>
@@ -71,10 +73,10 @@ void prepare(const FrameContext& context) {
 constexpr std::array kTechniques = {
     Technique{"moments4", "Prefiltered moments (4)",
               "Prefix sums of four moments over rectified rows; one look-up a pixel and reference ray.", kReads, layout<4>,
-              prepare<4>},
+              prepare<4>, true},
     Technique{"moments6", "Prefiltered moments (6)",
               "Prefix sums of six moments over rectified rows; one look-up a pixel and reference ray.", kReads, layout<6>,
-              prepare<6>}};
+              prepare<6>, true}};
 
 }  // namespace
 

@@ -7,6 +7,8 @@
 #include "lib/portable.h"
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
+#include "lib/local_row.glsl"
+#include "lib/local_light.glsl"
 #include "lib/moments.glsl"
 #include "stages/rectified.h"
 
@@ -19,11 +21,13 @@ layout(constant_id = 4) const bool kThreeAndThree = false;
 layout(constant_id = 5) const int kRowFilter = 1;
 layout(constant_id = 6) const bool kFirstLight = true;
 layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
-layout(binding = 1, scalar) uniform Light { RectifiedSunBlock light; };
+layout(binding = 1, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 2) uniform sampler2D sceneDepth;
 layout(binding = 3, scalar) readonly buffer Slices { Slice slices[]; };
 layout(binding = 4) uniform sampler2DArray shadowMap;
 layout(binding = 5, rgba32f) uniform image2D scatter;
+layout(binding = 21) uniform sampler2DArray unshadowed;
+layout(binding = 22) uniform sampler2DArray lit;
 layout(binding = 6) uniform sampler2D bounds;          // nearest
 layout(binding = 7) uniform sampler2DArray momentsA;   // linear filter
 layout(binding = 8) uniform sampler2DArray momentsB;

@@ -12,8 +12,6 @@
 namespace volumetrics {
 namespace {
 
-constexpr std::uint32_t kLocalBlock = 2;
-
 constexpr std::array kReads = {"volumetrics.enabled", "volumetrics.technique", "volumetrics.placement", "volumetrics.steps",
                                "volumetrics.jitter", "volumetrics.march_spacing", "medium.sigma_t", "medium.albedo", "medium.g"};
 
@@ -25,7 +23,7 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
   const std::uint32_t x = groups8(context.structure.width), y = groups8(context.structure.height);
   if (context.directionalLights > 0)
     builder.compute({"march", "ray_march.comp",
-                     {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), sceneDepthAt(2), shadowMapAt(3),
+                     {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2), shadowMapAt(3),
                       outputAt(4, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE)},
                      x, y, 1, kSuns, {{0, add ? 0u : 1u}}});
   if (context.localLights() > 0)
@@ -33,7 +31,7 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
                      {uniformAt(0, kFrameBlock), uniformAt(1, kLocalBlock), sceneDepthAt(2), shadowMapAt(3),
                       outputAt(4, TY_ACCESS_STORAGE_READ_WRITE)},
                      x, y, 1, kLocalLights, {{0, add ? 0u : 1u}}});
-  if (context.structure.light_count > 0) addDifferenceView(context, builder, kFrameBlock, kSunBlock, kLocalBlock);
+  if (context.structure.light_count > 0) addDifferenceView(context, builder, kFrameBlock, kLightBlock, kLocalBlock);
 }
 
 void prepare(const FrameContext& context) {
@@ -44,7 +42,7 @@ void prepare(const FrameContext& context) {
   frame.march.march_spacing = context.settings.march_spacing;
   for (std::uint32_t i = 0; i < context.frame.light_count; ++i)
     if (context.frame.lights[i].kind == TY_LIGHT_DIRECTIONAL)
-      context.block<SunBlock>(kSunBlock, i) = sunBlock(context.frame.lights[i], frame.rays.eye);
+      context.block<SunBlock>(kLightBlock, i) = sunBlock(context.frame.lights[i], frame.rays.eye);
   prepareLocalLights(context, kLocalBlock, frame.rays);
 }
 

@@ -1,0 +1,41 @@
+// The image that a light shines through (TyLight.cookie_from_world), filtered over a footprint. Needs stages/rectified.h, stages/rows.glsl and
+// the binding `cookie`.
+
+// Vulkan 1.3, "Cube Map Face Selection": (s, -t, 0, major axis), linear in the vector while the face stays.
+vec4 cookieCube(uint face, vec3 d) {
+  if (face == 0u) return vec4(-d.z, d.y, 0.0, d.x);
+  if (face == 1u) return vec4(d.z, d.y, 0.0, -d.x);
+  if (face == 2u) return vec4(d.x, -d.z, 0.0, d.y);
+  if (face == 3u) return vec4(d.x, d.z, 0.0, -d.y);
+  if (face == 4u) return vec4(d.x, d.y, 0.0, d.z);
+  return vec4(-d.x, d.y, 0.0, -d.z);
+}
+
+// Colour at a point, relative to the eye for a sun and to the light for others, whose neighbours in the map differ by `along` and `across`.
+vec3 cookieColour(vec3 point, vec3 along, vec3 across) {
+  vec3 origin = kLocal ? light.local.position : vec3(0.0);
+  vec4 p = light.cookieFromEye * vec4(origin + point, 1.0);
+  vec4 dx = light.cookieFromEye * vec4(along, 0.0);
+  vec4 dy = light.cookieFromEye * vec4(across, 0.0);
+  uint face = 0u;
+  if (light.cookieFaces == 6u) {
+    vec3 m = abs(p.xyz);
+    face = m.x >= m.y && m.x >= m.z ? (p.x < 0.0 ? 1u : 0u) : m.y >= m.z ? (p.y < 0.0 ? 3u : 2u) : (p.z < 0.0 ? 5u : 4u);
+    p = cookieCube(face, p.xyz);
+    dx = cookieCube(face, dx.xyz);
+    dy = cookieCube(face, dy.xyz);
+  }
+  if (!(p.w > 0.0)) return vec3(0.0);  // behind a spot light
+  vec2 place = clamp(p.xy / p.w, -1e6, 1e6);
+  vec2 gx = (dx.xy - place * dx.w) / p.w;
+  vec2 gy = (dy.xy - place * dy.w) / p.w;
+  float side = float(textureSize(cookie, 0).x);
+  float texels = 0.5 * side * sqrt(max(dot(gx, gx), dot(gy, gy)));
+  float lod = clamp(log2(max(texels, 1.0)), 0.0, float(textureQueryLevels(cookie)) - 1.0);
+  vec2 uv = vec2(0.5 + 0.5 * place.x, 0.5 - 0.5 * place.y);
+  // The sampler repeats: where the image does not, no filter may reach across its border.
+  float border = 0.5 / max(1.0, floor(side * exp2(-ceil(lod))));
+  vec2 inside = clamp(uv, border, 1.0 - border);
+  uv = vec2((light.cookieRepeats & 1u) != 0u ? uv.x : inside.x, (light.cookieRepeats & 2u) != 0u ? uv.y : inside.y);
+  return textureLod(cookie, vec3(uv, float(face)), lod).rgb;
+}
