@@ -180,7 +180,8 @@ TEST(March, TheDifferenceViewKnowsLocalLights) {
   };
   const double fine = brightness("2048", "difference"), coarse = brightness("8", "difference"), dense = brightness("8", "dense_march");
   std::printf("mean of the difference view: 8 steps %.2f, 2048 steps %.2f; of the dense march %.1f\n", coarse, fine, dense);
-  EXPECT_LT(fine, 0.05 * coarse);
+  // The view is coded for the eye, which lifts what is dark: a fiftieth of the difference is a sixth of the brightness.
+  EXPECT_LT(fine, 0.15 * coarse);
   EXPECT_GT(coarse, 2);
   EXPECT_GT(dense, 10);
 }
