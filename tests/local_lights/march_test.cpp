@@ -29,6 +29,19 @@ double mean(const image::FloatImage& picture) {
   return sum / (3.0 * picture.width * picture.height);
 }
 
+/// nRMSE where picture and truth see the same surface: at an edge a pixel's ray may pass or not, which no technique can change. Such
+/// pixels, told by their transmittance, must be few.
+double errorOnSameSurfaces(image::FloatImage picture, const image::FloatImage& truth) {
+  int others = 0;
+  for (std::size_t i = 0; i < truth.values.size(); i += 4) {
+    if (std::abs(picture.values[i + 3] - truth.values[i + 3]) < 1e-3f) continue;
+    ++others;
+    std::copy_n(&truth.values[i], 4, &picture.values[i]);
+  }
+  EXPECT_LE(others, 10);
+  return errorOf(picture, truth).nRmse;
+}
+
 /// Writes pictures for people to look at, if the environment asks for it.
 void show(const std::string& name, const image::FloatImage& picture) {
   if (const char* folder = std::getenv("TYNDALL_SHOW"))
@@ -54,14 +67,14 @@ Lamp lamp(LightKind kind, glm::vec3 position, glm::vec3 towards, std::optional<f
 }
 
 const Case kCases[] = {
-    {"outside", lamp(LightKind::kSpot, {-4, 4, 0}, {1, -0.5f, -0.2f}), 1.2f, 0.02},
-    {"outside_range", lamp(LightKind::kSpot, {-4, 4, 0}, {1, -0.5f, -0.2f}, 5.0f), 1.2f, 0.02},
-    {"inside", lamp(LightKind::kSpot, {1, 3, -6}, {-0.1f, -0.08f, 1}), 1.2f, 0.02},
+    {"outside", lamp(LightKind::kSpot, {-4, 4, 0}, {1, -0.5f, -0.2f}), 1.2f, 0.008},
+    {"outside_range", lamp(LightKind::kSpot, {-4, 4, 0}, {1, -0.5f, -0.2f}, 5.0f), 1.2f, 0.01},
+    {"inside", lamp(LightKind::kSpot, {1, 3, -6}, {-0.1f, -0.08f, 1}), 1.2f, 0.01},
     {"inside_range", lamp(LightKind::kSpot, {1, 3, -6}, {-0.1f, -0.08f, 1}, 12.0f), 1.2f, 0.02},
-    {"behind", lamp(LightKind::kSpot, {0.5f, 2.5f, 4}, {-0.1f, -0.1f, -1}), 1.2f, 0.02},
-    {"behind_range", lamp(LightKind::kSpot, {0.5f, 2.5f, 4}, {-0.1f, -0.1f, -1}, 9.0f), 1.2f, 0.02},
-    {"point", lamp(LightKind::kPoint, {0.4f, 2.2f, 0}, {0, 0, -1}), 0.7f, 0.02},
-    {"point_range", lamp(LightKind::kPoint, {0.4f, 2.2f, 0}, {0, 0, -1}, 5.0f), 0.7f, 0.02},
+    {"behind", lamp(LightKind::kSpot, {0.5f, 2.5f, 4}, {-0.1f, -0.1f, -1}), 1.2f, 0.012},
+    {"behind_range", lamp(LightKind::kSpot, {0.5f, 2.5f, 4}, {-0.1f, -0.1f, -1}, 9.0f), 1.2f, 0.012},
+    {"point", lamp(LightKind::kPoint, {0.4f, 2.2f, 0}, {0, 0, -1}), 0.7f, 0.01},
+    {"point_range", lamp(LightKind::kPoint, {0.4f, 2.2f, 0}, {0, 0, -1}, 5.0f), 0.7f, 0.014},
 };
 
 class AgainstTruth : public testing::TestWithParam<Case> {};
@@ -76,7 +89,7 @@ TEST_P(AgainstTruth, MarchConvergesToIt) {
   for (const int steps : {16, 64, 512}) {
     const image::FloatImage picture = lab.shoot(marched(steps)).scatter;
     show(std::string(c.name) + "_" + std::to_string(steps), picture);
-    const double error = errorOf(picture, truth).nRmse;
+    const double error = errorOnSameSurfaces(picture, truth);
     std::printf("%-14s %4d steps: nRMSE %.4f\n", c.name, steps, error);
     EXPECT_LT(error, last) << steps;
     last = error;
@@ -84,7 +97,7 @@ TEST_P(AgainstTruth, MarchConvergesToIt) {
   EXPECT_LT(last, c.bound);
   // The shadows are there to be seen: without slats the picture is another.
   Laboratory empty(writeLevel(std::string(c.name) + "_empty", {c.lamp}, {}), 0, 160, 90);
-  EXPECT_GT(errorOf(empty.shoot(marched(64)).scatter, truth).nRmse, 5 * last);
+  EXPECT_GT(errorOf(empty.shoot(marched(64)).scatter, truth).nRmse, 5 * last) << "hardly a shadow";
 }
 
 INSTANTIATE_TEST_SUITE_P(Lamps, AgainstTruth, testing::ValuesIn(kCases), [](const auto& each) { return std::string(each.param.name); });
@@ -93,8 +106,9 @@ INSTANTIATE_TEST_SUITE_P(Lamps, AgainstTruth, testing::ValuesIn(kCases), [](cons
 TEST(March, AnUnshadowedLampNeedsFewSteps) {
   for (const Case& c : kCases) {
     Laboratory lab(writeLevel(std::string(c.name) + "_alone", {c.lamp}, {}, false), 0, 160, 90);
-    const image::FloatImage truth = lab.truth(1024);
-    for (const auto& [steps, bound] : {std::pair{16, 1e-2}, {64, 2e-3}, {512, 1e-3}}) {
+    const image::FloatImage truth = lab.truth(512);
+    // What is left is float's: one pixel a few millimetres beside the lamp holds it all.
+    for (const auto& [steps, bound] : {std::pair{16, 5e-2}, {64, 6e-3}, {512, 2.5e-3}}) {
       const double error = errorOf(lab.shoot(marched(steps)).scatter, truth).nRmse;
       std::printf("%-14s unshadowed, %4d steps: nRMSE %.6f\n", c.name, steps, error);
       EXPECT_LT(error, bound) << c.name << ' ' << steps;
@@ -159,14 +173,15 @@ TEST(March, TheDifferenceViewKnowsLocalLights) {
   for (const Bar& bar : slatsBefore(kCases[0].lamp, 1.2f)) bars.push_back(bar);
   Laboratory lab(writeLevel("difference", {kCases[6].lamp, kCases[0].lamp}, bars), 0, 160, 90);
   const auto brightness = [&](const char* steps, const char* view) {
-    const image::ByteImage picture = lab.look(withSteps(steps), view);
+    const image::ByteImage picture = lab.look(withSteps(steps) + Settings{"shadows.resolution=256"}, view);
     double sum = 0;
     for (const std::uint8_t value : picture.values) sum += value;
     return sum / static_cast<double>(picture.values.size());
   };
-  const double fine = brightness("8192", "difference"), coarse = brightness("8", "difference"), dense = brightness("8", "dense_march");
-  std::printf("mean of the difference view: 8 steps %.2f, 8192 steps %.2f; of the dense march %.1f\n", coarse, fine, dense);
-  EXPECT_LT(fine, 0.05 * coarse);
+  const double fine = brightness("2048", "difference"), coarse = brightness("8", "difference"), dense = brightness("8", "dense_march");
+  std::printf("mean of the difference view: 8 steps %.2f, 2048 steps %.2f; of the dense march %.1f\n", coarse, fine, dense);
+  // The view is coded for the eye, which lifts what is dark: a fiftieth of the difference is a sixth of the brightness.
+  EXPECT_LT(fine, 0.15 * coarse);
   EXPECT_GT(coarse, 2);
   EXPECT_GT(dense, 10);
 }

@@ -149,10 +149,12 @@ TEST(LocalLights, BlockIsRelativeToTheEye) {
   const LocalBlock block = localBlock(light, eye);
   EXPECT_EQ(block.position, glm::vec3(3, 2, -1));
   EXPECT_EQ(block.kind, kLocalSpot);
-  const glm::vec3 point(2.5f, -1, -0.5f);
-  const glm::dvec4 expected = glm::dmat4(clip) * glm::dvec4(glm::dvec3(eye) + glm::dvec3(point), 1);
-  const glm::vec4 got = block.shadow[0] * glm::vec4(point, 1);
-  for (int i = 0; i < 4; ++i) EXPECT_NEAR(got[i], expected[i], 1e-4) << i;
+  const glm::vec3 point(2.5f, -1, -0.5f), w = point - block.position;
+  const glm::dvec4 h = glm::dmat4(clip) * glm::dvec4(glm::dvec3(eye) + glm::dvec3(point), 1);
+  const float along = glm::dot(w, block.axis);
+  EXPECT_NEAR(glm::dot(block.faceX[0], w) / along, h.x / h.w, 1e-4);
+  EXPECT_NEAR(glm::dot(block.faceY[0], w) / along, h.y / h.w, 1e-4);
+  EXPECT_NEAR(block.depthScale - block.depthOffset / along, h.z / h.w, 1e-5);
   // Cone: 1 up to the inner angle, 0 from the outer one.
   const auto cone = [&](float angle) { return std::clamp(std::cos(angle) * block.coneScale + block.coneOffset, 0.0f, 1.0f); };
   EXPECT_NEAR(cone(0.3f), 1, 1e-5);

@@ -32,8 +32,10 @@ struct SunBlock {
 const uint kLocalSpot = 1u;
 const uint kLocalPoint = 2u;
 
-// A spot or point light with its shadow map (KHR_lights_punctual). Clip space of face i of the map is shadow[i] * (point - eye, 1); faces
-// of a point light are +X -X +Y -Y +Z -Z.
+// A spot or point light with its shadow map (KHR_lights_punctual). Face i of the map (+X -X +Y -Y +Z -Z of a point light, else 0) shows a
+// point at `w` from the light, m along the face's axis, at (dot(faceX[i], w), dot(faceY[i], w)) / m in [-1, 1] and at depth
+// depthScale - depthOffset / m: the projection's matrix without what is the same or zero in every face, as a matrix chosen by a variable
+// costs sixteen loads a sample.
 struct LocalBlock {
   vec3 position;      // of the light minus the eye, world axes, m
   vec3 intensity;     // cd
@@ -44,7 +46,8 @@ struct LocalBlock {
   uint kind;          // kLocal...
   float shadowSize;   // texels a side
   float texelAngle;   // angle of the map's smallest texel as the light sees it, rad
-  mat4 shadow[6];
+  float depthScale, depthOffset;
+  vec3 faceX[6], faceY[6];
 };
 
 const uint kMaxPolygon = 24u;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 namespace volumetrics {
@@ -15,12 +14,9 @@ constexpr float kLeastCosine = 1e-4f;
 // An arc cosine near 1 is off by the root of float's rounding.
 constexpr float kAngleSlack = 1e-3f;
 
-/// Angle of the smallest texel of a perspective map: in a corner a step of dx at tangent x spans dx / (1 + x^2 + y^2).
-float texelAngle(const glm::dmat4& clip, double size) {
-  const auto row = [&](int r) { return glm::dvec3(clip[0][r], clip[1][r], clip[2][r]); };
-  const double tangent = glm::length(row(3)) / std::max(glm::length(row(0)), 1e-30);
-  return static_cast<float>(2 * tangent / size / (1 + 2 * tangent * tangent));
-}
+/// Angle of the smallest texel of a perspective map, `tangent` that of half its opening: in a corner a step of dx at tangent x spans
+/// dx / (1 + x^2 + y^2).
+float texelAngle(double tangent, double size) { return static_cast<float>(2 * tangent / size / (1 + 2 * tangent * tangent)); }
 
 /// How far the light reaches along a unit vector, m: the greatest dot(direction, point) over its range and cone, relative to the eye.
 /// Infinite without a range, if it reaches that way at all.
@@ -52,12 +48,18 @@ LocalBlock localBlock(const TyLight& light, const glm::vec3& eye) {
     block.coneOffset = -light.cos_outer * block.coneScale;
   }
   block.shadowSize = static_cast<float>(light.shadow_size);
-  // In double: eye and light may be far from the origin, and a shadow texel is small.
-  const glm::dmat4 worldFromEye = glm::translate(glm::dmat4(1), glm::dvec3(eye));
+  // In double: the light may be far from the origin, and depth is curved. All faces have one range of depths.
+  const glm::dvec4 position(glm::dvec3(glm::make_vec3(light.position)), 1);
   for (std::uint32_t face = 0; face < std::min(light.face_count, 6u); ++face) {
-    const glm::dmat4 clip = glm::dmat4(glm::make_mat4(light.shadow_clip_from_world[face])) * worldFromEye;
-    block.shadow[face] = glm::mat4(clip);
-    if (face == 0) block.texelAngle = texelAngle(clip, light.shadow_size);
+    const glm::dmat4 rows = glm::transpose(glm::dmat4(glm::make_mat4(light.shadow_clip_from_world[face])));
+    const double scale = glm::length(glm::dvec3(rows[3]));
+    if (scale == 0) continue;
+    block.faceX[face] = glm::vec3(glm::dvec3(rows[0]) / scale);
+    block.faceY[face] = glm::vec3(glm::dvec3(rows[1]) / scale);
+    if (face > 0) continue;
+    block.depthScale = static_cast<float>(glm::dot(glm::dvec3(rows[2]), glm::dvec3(rows[3])) / (scale * scale));
+    block.depthOffset = static_cast<float>(-glm::dot(rows[2], position) / scale);
+    block.texelAngle = texelAngle(scale / std::max(glm::length(glm::dvec3(rows[0])), 1e-30), light.shadow_size);
   }
   return block;
 }

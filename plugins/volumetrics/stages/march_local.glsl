@@ -3,7 +3,8 @@
 // it, and nothing else.
 // What is summed along a view ray is V p a I exp(-sigma_t (t + d)) / d^2 dt, d the distance from the light, a range and cone, I the
 // colour: times sigma_s it is the radiance. Points are relative to the eye. Samples are spent only where the light's range and cone reach the ray.
-// A stratum's weight is the exact integral of dt/d^2 over it times the rest in its middle; visibility is sampled at `offset` in [0, 1] of it.
+// A stratum's weight is the exact integral of dt/d^2 over it times the rest in its middle, and a quadrature where one angle spans far too
+// different distances for that; visibility is sampled at `offset` in [0, 1] of it.
 
 // The integral diverges for a ray through the light itself: a ray that passes closer counts as passing at this distance, m.
 const float kClosestPass = 1e-3;
@@ -13,28 +14,30 @@ vec3 lightColour(LocalBlock light, vec3 fromLight) { return light.intensity; }
 
 // Face of the map that a direction from the light falls on.
 uint localFace(LocalBlock light, vec3 fromLight) {
-  if (light.kind == kLocalSpot) return 0u;
   vec3 m = abs(fromLight);
-  if (m.x >= m.y && m.x >= m.z) return fromLight.x < 0.0 ? 1u : 0u;
-  if (m.y >= m.z) return fromLight.y < 0.0 ? 3u : 2u;
-  return fromLight.z < 0.0 ? 5u : 4u;
+  uint side = m.x >= m.y && m.x >= m.z ? (fromLight.x < 0.0 ? 1u : 0u)
+              : m.y >= m.z             ? (fromLight.y < 0.0 ? 3u : 2u)
+                                       : (fromLight.z < 0.0 ? 5u : 4u);
+  return light.kind == kLocalSpot ? 0u : side;
 }
 
-// Whether the map's depth at a point in a face's clip space is nearer. Behind a spot light and beside its map everything is lit; faces of a
-// point light leave nothing out, so that a point beside one is rounding.
-bool blockedInClip(LocalBlock light, sampler2DArray shadowMap, uint face, vec4 clip) {
-  if (clip.w <= 0.0) return false;
-  vec3 p = clip.xyz / clip.w;
-  if (light.kind == kLocalSpot && max(abs(p.x), abs(p.y)) > 1.0) return false;
-  ivec2 texel = clamp(ivec2((p.xy * 0.5 + 0.5) * light.shadowSize), ivec2(0), ivec2(light.shadowSize) - 1);
+// Whether the map holds something nearer. Behind a spot light and beside its map everything is lit; faces of a point light leave nothing
+// out, so that a point beside one is rounding.
+bool localBlockedFrom(LocalBlock light, sampler2DArray shadowMap, vec3 fromLight) {
+  bool spot = light.kind == kLocalSpot;
+  uint face = localFace(light, fromLight);
+  vec3 m = abs(fromLight);
+  float along = spot ? dot(fromLight, light.axis) : max(m.x, max(m.y, m.z));
+  vec2 p = vec2(dot(light.faceX[face], fromLight), dot(light.faceY[face], fromLight)) / along;
+  if (spot && (along <= 0.0 || max(abs(p.x), abs(p.y)) > 1.0)) return false;
+  ivec2 texel = clamp(ivec2((p * 0.5 + 0.5) * light.shadowSize), ivec2(0), ivec2(light.shadowSize) - 1);
   float stored = texelFetch(shadowMap, ivec3(texel, face), 0).x;
-  return p.z > stored && stored < 1.0;
+  return light.depthScale - light.depthOffset / along > stored && stored < 1.0;
 }
 
 // Shadow test of one point.
 bool localBlocked(LocalBlock light, sampler2DArray shadowMap, vec3 pointMinusEye) {
-  uint face = localFace(light, pointMinusEye - light.position);
-  return blockedInClip(light, shadowMap, face, light.shadow[face] * vec4(pointMinusEye, 1.0));
+  return localBlockedFrom(light, shadowMap, pointMinusEye - light.position);
 }
 
 // The unshadowed integrand at one point of a view ray: direction unit, t its distance from the eye.
@@ -80,21 +83,30 @@ vec3 localRest(LocalBlock light, LocalRay ray, float s, float sigma_t, float g) 
           exp(-sigma_t * (ray.closest + s + d)));
 }
 
-// The ray in clip space of the face that it is in: a matrix is read only where the face changes.
-struct LocalTrack {
-  uint face;
-  vec4 clipNearest, clipStep;
-};
-LocalTrack localTrack() { return LocalTrack(6u, vec4(0.0), vec4(0.0)); }
+// Strata in which log(distance) changes by more than this are integrated by quadrature: below, the middle is off by 0.3^2/24 of a curvature.
+const float kPlainStratum = 0.3;
 
-bool blockedOnTrack(LocalBlock light, sampler2DArray shadowMap, LocalRay ray, float s, inout LocalTrack track) {
-  uint face = localFace(light, ray.nearest + s * ray.direction);
-  if (face != track.face) {
-    track.face = face;
-    track.clipNearest = light.shadow[face] * vec4(ray.nearest + light.position, 1.0);
-    track.clipStep = light.shadow[face] * vec4(ray.direction, 0.0);
+// Integral of the rest over the angle between two points of the ray, a <= b: Gauss-Legendre of four points in v, s = pass sinh(v), in which
+// range, phase and both exponentials change slowly however far the light is; da = dv/cosh(v) = pass/d dv.
+vec3 restOverAngle(LocalBlock light, LocalRay ray, float a, float b, float sigma_t, float g) {
+  // asinh keeps its digits in this form.
+  vec2 x = abs(vec2(a, b)) / ray.pass;
+  vec2 v = sign(vec2(a, b)) * log(x + sqrt(x * x + 1.0));
+  // Beyond 6 from the near end less than e^-6 of the stratum is left, and a few points would not see what counts.
+  float limit = 6.0 + (v.x * v.y <= 0.0 ? 0.0 : min(abs(v.x), abs(v.y)));
+  v = clamp(v, -limit, limit);
+  float middle = 0.5 * (v.x + v.y);
+  float half_ = 0.5 * (v.y - v.x);
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 4; ++i) {
+    bool outer = i == 0 || i == 3;
+    float place = (outer ? 0.8611363115940526 : 0.3399810435848563) * (i < 2 ? -1.0 : 1.0);
+    float weight = outer ? 0.3478548451374538 : 0.6521451548625461;
+    float up = exp(middle + half_ * place);
+    float down = 1.0 / up;
+    sum += localRest(light, ray, clamp(0.5 * ray.pass * (up - down), a, b), sigma_t, g) * (weight * 2.0 / (up + down));
   }
-  return blockedInClip(light, shadowMap, face, track.clipNearest + s * track.clipStep);
+  return sum * half_;
 }
 
 // The sum by `steps` strata of equal angle at the light.
@@ -106,15 +118,26 @@ vec3 marchedByAngle(LocalBlock light, sampler2DArray shadowMap, LocalRay ray, fl
   float width = angleBetween(ray.pass, ray.reached.x, ray.reached.y) / float(steps);
   vec2 turn = turnBy(width);
   vec2 sample_ = turnBy((offset - 0.5) * width);
-  at = turned(at, turnBy(0.5 * width));
-  LocalTrack track = localTrack();
+  vec2 half_ = turnBy(0.5 * width);
+  at = turned(at, half_);
   vec3 sum = vec3(0.0);
   for (int i = 0; i < steps; ++i) {
     vec2 visible = turned(at, sample_);
     float s = side * ray.pass * visible.x / max(visible.y, 1e-9);
-    if (!blockedOnTrack(light, shadowMap, ray, clamp(s, ray.reached.x, ray.reached.y), track)) {
-      s = side * ray.pass * at.x / max(at.y, 1e-9);
-      sum += localRest(light, ray, clamp(s, ray.reached.x, ray.reached.y), sigma_t, g);
+    if (!localBlockedFrom(light, shadowMap, ray.nearest + clamp(s, ray.reached.x, ray.reached.y) * ray.direction)) {
+      // d/pass = 1/sine, and so log(d) changes by about width/sine.
+      if (width > kPlainStratum * at.y) {
+        vec2 from = turned(at, half_ * vec2(1.0, -1.0));
+        vec2 to = turned(at, half_);
+        vec2 borders = side * ray.pass * vec2(from.x / max(from.y, 1e-9), to.x / max(to.y, 1e-9));
+        borders = clamp(borders, ray.reached.x, ray.reached.y);
+        if (i == 0) borders.x = side > 0.0 ? ray.reached.y : ray.reached.x;
+        if (i == steps - 1) borders.y = side > 0.0 ? ray.reached.x : ray.reached.y;
+        sum += restOverAngle(light, ray, min(borders.x, borders.y), max(borders.x, borders.y), sigma_t, g) / width;
+      } else {
+        s = side * ray.pass * at.x / at.y;
+        sum += localRest(light, ray, clamp(s, ray.reached.x, ray.reached.y), sigma_t, g);
+      }
     }
     at = turned(at, turn);
   }
@@ -125,11 +148,10 @@ vec3 marchedByAngle(LocalBlock light, sampler2DArray shadowMap, LocalRay ray, fl
 vec3 marchedByDistance(LocalBlock light, sampler2DArray shadowMap, LocalRay ray, float sigma_t, float g, int steps, float offset) {
   if (ray.reached.x >= ray.reached.y) return vec3(0.0);
   float width = (ray.reached.y - ray.reached.x) / float(steps);
-  LocalTrack track = localTrack();
   vec3 sum = vec3(0.0);
   for (int i = 0; i < steps; ++i) {
     float s = ray.reached.x + float(i) * width;
-    if (!blockedOnTrack(light, shadowMap, ray, s + offset * width, track))
+    if (!localBlockedFrom(light, shadowMap, ray.nearest + (s + offset * width) * ray.direction))
       sum += localRest(light, ray, s + 0.5 * width, sigma_t, g) * angleBetween(ray.pass, s, s + width);
   }
   return sum / ray.pass;
