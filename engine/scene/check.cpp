@@ -95,7 +95,7 @@ void checkCamera(Checker& c, const Camera& camera, const std::string& name) {
   c.require(!camera.zfar || (*camera.zfar > camera.znear && finite(*camera.zfar)), name + ".zfar is not beyond znear");
 }
 
-void checkLight(Checker& c, const Light& light, const std::string& name) {
+void checkLight(Checker& c, const Scene& scene, const Light& light, const std::string& name) {
   c.require(finite(light.color) && glm::all(glm::greaterThanEqual(light.color, glm::vec3(0))),
             name + ".color is negative or not finite");
   c.require(light.intensity >= 0 && finite(light.intensity), name + ".intensity is negative or not finite");
@@ -104,6 +104,13 @@ void checkLight(Checker& c, const Light& light, const std::string& name) {
     c.require(
         light.innerConeAngle >= 0 && light.innerConeAngle < light.outerConeAngle && light.outerConeAngle <= 1.5707964f,
         name + "'s cone angles are not 0 <= inner < outer <= pi/2");
+  if (!light.cookie) return;
+  c.index(light.cookie->texture, scene.textures.size(), name + ".cookie.texture", "textures", false);
+  c.require(finite(light.cookie->size) && light.cookie->size.x > 0 && light.cookie->size.y > 0,
+            name + ".cookie.size is not above 0");
+  if (light.kind == LightKind::kPoint && c.good())
+    c.require(pointCookieShape(scene.images[scene.textures[light.cookie->texture].image]).has_value(),
+              name + ".cookie's image is neither 2:1 nor 6:1");
 }
 
 void checkChannel(Checker& c, const Scene& scene, const AnimationChannel& channel, const std::string& name) {
@@ -136,7 +143,7 @@ Result<void> checkScene(const Scene& scene, bool withBounds) {
   }
   for (std::size_t i = 0; i < scene.nodes.size() && c.good(); ++i) checkNode(c, scene, i);
   for (std::size_t i = 0; i < scene.cameras.size() && c.good(); ++i) checkCamera(c, scene.cameras[i], at("cameras", i));
-  for (std::size_t i = 0; i < scene.lights.size() && c.good(); ++i) checkLight(c, scene.lights[i], at("lights", i));
+  for (std::size_t i = 0; i < scene.lights.size() && c.good(); ++i) checkLight(c, scene, scene.lights[i], at("lights", i));
   for (std::size_t a = 0; a < scene.animations.size() && c.good(); ++a)
     for (std::size_t k = 0; k < scene.animations[a].channels.size() && c.good(); ++k)
       checkChannel(c, scene, scene.animations[a].channels[k], at("animations", a) + "." + at("channels", k));

@@ -231,6 +231,12 @@ Light light(const tinygltf::Light& in) {
   if (in.range > 0) out.range = static_cast<float>(in.range);
   out.innerConeAngle = static_cast<float>(in.spot.innerConeAngle);
   out.outerConeAngle = static_cast<float>(in.spot.outerConeAngle);
+  if (in.extras.IsObject() && in.extras.Has("cookie")) {
+    const Value& cookie = in.extras.Get("cookie");
+    out.cookie.emplace();
+    out.cookie->texture = static_cast<std::int32_t>(number(cookie, "index", kNone));
+    out.cookie->size = vec<2>(numbers(cookie, "size"), out.cookie->size);
+  }
   return out;
 }
 

@@ -9,7 +9,8 @@
 
 namespace tyndall::scene {
 
-/// Materials, with the textures and images that they show and no others.
+/// Materials, with the textures and images that they show; then those that the document's lights shine through (whose
+/// Cookie::texture counts as in the scene afterwards), and no others.
 void importMaterials(document::Document& document, Scene& scene, Warnings& warnings);
 
 /// Nodes of the default scene (or the first one, or all roots), parents first, and the cameras and lights on them.

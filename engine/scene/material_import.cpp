@@ -33,6 +33,22 @@ struct Importer {
     }
     use.texture = texture;
   }
+
+  void cookie(Light& light, std::string what) {
+    if (!light.cookie) return;
+    TextureUse shown{light.cookie->texture};
+    use(shown);
+    light.cookie->texture = shown.texture;
+    if (!shown.used()) {
+      light.cookie.reset();
+      return;
+    }
+    const Image& image = scene.images[scene.textures[shown.texture].image];
+    if (light.kind != LightKind::kPoint || pointCookieShape(image)) return;
+    if (!light.name.empty()) what += " " + inQuotes(light.name);
+    refuse(what + " is a point light whose cookie is " + std::to_string(image.width) + "x" +
+           std::to_string(image.height) + "; it must be 2:1 (equirectangular) or 6:1 (six cube faces in a row)");
+  }
 };
 
 }  // namespace
@@ -48,6 +64,7 @@ void importMaterials(Document& document, Scene& scene, Warnings& warnings) {
       warnings.add("materials of the archived specular-glossiness kind become ordinary dielectrics");
     scene.materials.push_back(std::move(m));
   }
+  for (std::size_t i = 0; i < document.lights.size(); ++i) importer.cookie(document.lights[i], element("lights", i));
 }
 
 }  // namespace tyndall::scene

@@ -130,7 +130,7 @@ void adapt(Json& document, Warnings& warnings) {
   }
 }
 
-/// Images that some material shows.
+/// Images that some material shows or some light shines through.
 std::set<std::size_t> shownImages(const Json& document) {
   static constexpr const char* kTextures[] = {"/pbrMetallicRoughness/baseColorTexture",
                                               "/pbrMetallicRoughness/metallicRoughnessTexture",
@@ -139,13 +139,19 @@ std::set<std::size_t> shownImages(const Json& document) {
                                               "/emissiveTexture",
                                               "/extensions/KHR_materials_pbrSpecularGlossiness/diffuseTexture"};
   std::set<std::size_t> shown;
+  const auto show = [&](const Json& textureIndex) {
+    const Json& texture = document["textures"][textureIndex.get<std::size_t>()];
+    if (texture.contains("source")) shown.insert(texture["source"].get<std::size_t>());
+  };
+  const Json::json_pointer lights("/extensions/KHR_lights_punctual/lights"), cookie("/extras/cookie/index");
+  if (document.contains(lights))
+    for (const Json& light : document[lights])
+      if (light.contains(cookie)) show(light[cookie]);
   if (!document.contains("materials")) return shown;
   for (const Json& material : document["materials"]) {
     for (const char* pointer : kTextures) {
       const Json::json_pointer at(std::string(pointer) + "/index");
-      if (!material.contains(at)) continue;
-      const Json& texture = document["textures"][material[at].get<std::size_t>()];
-      if (texture.contains("source")) shown.insert(texture["source"].get<std::size_t>());
+      if (material.contains(at)) show(material[at]);
     }
   }
   return shown;

@@ -144,6 +144,7 @@ Json checked(const Json& value, const Schema& schema, const Json& document, cons
   for (const Property& property : schema.properties) {
     const std::string where = path.empty() ? property.key : path + "." + property.key;
     const auto found = value.find(property.key);
+    if (found != value.end() && property.free && !found->is_object()) continue;
     if (found != value.end()) {
       out[property.key] = checkedValue(*found, Place{property, document, where, warnings});
     } else if (property.required) {

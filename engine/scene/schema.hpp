@@ -37,6 +37,7 @@ struct Property {
   bool required = false;
   double low = -std::numeric_limits<float>::max();  ///< of numbers, integers and the elements of arrays
   double high = std::numeric_limits<float>::max();
+  bool free = false;         ///< kObject: a value of another type is left out (glTF's "extras" may be anything)
   bool clamp = false;        ///< out of range is repaired with a warning instead of refused
   std::size_t minItems = 0;  ///< of arrays
   std::size_t maxItems = std::numeric_limits<std::size_t>::max();

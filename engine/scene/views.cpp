@@ -71,10 +71,17 @@ std::vector<LightView> placedLights(const Scene& scene, const std::vector<glm::m
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].light == kNone) continue;
     const glm::mat4& m = worldFromNode[i];
-    out.push_back({scene.lights[scene.nodes[i].light], glm::vec3(m[3]), unitOr(-glm::vec3(m[2]), {0, 0, -1}),
-                   static_cast<std::int32_t>(i)});
+    const glm::vec3 direction = unitOr(-glm::vec3(m[2]), {0, 0, -1}), up = unitOr(glm::vec3(m[1]), {0, 1, 0});
+    out.push_back({scene.lights[scene.nodes[i].light], glm::vec3(m[3]), direction, static_cast<std::int32_t>(i),
+                   glm::mat3(lookFrom(glm::vec3(0), direction, up))});
   }
   return out;
+}
+
+std::optional<CookieShape> pointCookieShape(const Image& image) {
+  if (image.width == 2ull * image.height) return CookieShape::kEquirectangular;
+  if (image.width == 6ull * image.height) return CookieShape::kCubeStrip;
+  return std::nullopt;
 }
 
 LightView defaultSun() {
@@ -82,6 +89,7 @@ LightView defaultSun() {
   LightView sun;
   sun.light = {"sun", LightKind::kDirectional, glm::vec3(1.0f, 0.95f, 0.88f), 5.0f, {}, 0, 0.7853982f};
   sun.direction = glm::normalize(glm::vec3(0.85f, -1.0f, 0.5f));
+  sun.worldFromLight = glm::mat3(lookFrom(glm::vec3(0), sun.direction, {0, 1, 0}));
   return sun;
 }
 

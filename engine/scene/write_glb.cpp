@@ -152,6 +152,11 @@ struct Writer {
         object["color"] = list<3>(light.color / brightest);
         object["intensity"] = light.intensity * brightest;
       }
+      if (light.cookie) {
+        Json cookie = {{"index", light.cookie->texture}};
+        if (light.kind == LightKind::kDirectional) cookie["size"] = list<2>(light.cookie->size);
+        object["extras"]["cookie"] = std::move(cookie);
+      }
       out.push_back(std::move(object));
     }
     return out;

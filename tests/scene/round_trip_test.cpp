@@ -1,5 +1,6 @@
 // What writeGlb writes, loadGltf reads back: every field, bit for bit where the format can hold it.
 #include <cmath>
+#include <functional>
 
 #include "gltf_file.hpp"
 #include "scene/write_glb.hpp"
@@ -25,11 +26,14 @@ Primitive quad(std::int32_t material) {
 Scene everything() {
   Scene s;
   s.name = "all of it";
-  s.images = {{"opaque", 2, 1, {255, 0, 0, 255, 0, 255, 0, 255}}, {"clear", 1, 2, {1, 2, 3, 4, 250, 251, 252, 0}}};
+  s.images = {{"opaque", 2, 1, {255, 0, 0, 255, 0, 255, 0, 255}}, {"clear", 1, 2, {1, 2, 3, 4, 250, 251, 252, 0}},
+              {"strip", 6, 1, std::vector<std::uint8_t>(24, 77)}};
   s.textures = {
       {0, {Filter::kNearest, Filter::kNearest, Filter::kLinear, true, Wrap::kClampToEdge, Wrap::kMirroredRepeat}},
       {1, {Filter::kLinear, Filter::kLinear, Filter::kNearest, true, Wrap::kRepeat, Wrap::kRepeat}},
-      {1, {Filter::kLinear, Filter::kNearest, Filter::kLinear, false, Wrap::kRepeat, Wrap::kRepeat}}};
+      {1, {Filter::kLinear, Filter::kNearest, Filter::kLinear, false, Wrap::kRepeat, Wrap::kRepeat}},
+      {1, {Filter::kLinear, Filter::kLinear, Filter::kLinear, true, Wrap::kMirroredRepeat, Wrap::kClampToEdge}},
+      {2, {}}};
   Material a;
   a.name = "bricks";
   a.baseColor = {0.1f, 0.2f, 0.3f, 0.4f};
@@ -55,6 +59,9 @@ Scene everything() {
   s.lights = {{"sun", LightKind::kDirectional, {1, 0.5f, 0.25f}, 3.5f, {}, 0, 0.7853982f},
               {"spot", LightKind::kSpot, {1, 1, 1}, 100, 12.5f, 0.2f, 0.4f},
               {"lamp", LightKind::kPoint, {0, 1, 0}, 60, {}, 0, 0.7853982f}};
+  s.lights[0].cookie = Cookie{3, {4.5f, 2.25f}};
+  s.lights[1].cookie = Cookie{1};
+  s.lights[2].cookie = Cookie{4};
   s.cameras = {{"wide", 1.2f, 0.05f, 200.0f}, {"endless", 0.6f, 0.1f, {}}};
   const auto node = [&](const char* name, std::int32_t parent) -> Node& {
     Node n;
@@ -186,6 +193,9 @@ TEST(RoundTrip, KeepsEverything) {
       EXPECT_EQ(x.range, y.range);
       EXPECT_EQ(x.innerConeAngle, y.innerConeAngle);
       EXPECT_EQ(x.outerConeAngle, y.outerConeAngle);
+      ASSERT_EQ(x.cookie.has_value(), y.cookie.has_value());
+      EXPECT_EQ(x.cookie->texture, y.cookie->texture);
+      EXPECT_EQ(x.cookie->size, y.cookie->size);
     }
   }
   ASSERT_EQ(out.meshes.size(), 1u);
@@ -193,10 +203,10 @@ TEST(RoundTrip, KeepsEverything) {
   expectSame(in.meshes[0].primitives[0], out.meshes[0].primitives[0], true);
   expectSame(in.meshes[0].primitives[1], out.meshes[0].primitives[1], false);
   ASSERT_EQ(out.materials.size(), 2u);
-  // The reader numbers textures by first use: base colour 0, metallic-roughness 1, normal 2, as here.
+  // The reader numbers textures by first use: base colour 0, metallic-roughness 1, normal 2, then lights, as here.
   for (int i = 0; i < 2; ++i) expectSame(in.materials[i], out.materials[i]);
-  ASSERT_EQ(out.textures.size(), 3u);
-  for (int i = 0; i < 3; ++i) {
+  ASSERT_EQ(out.textures.size(), 5u);
+  for (int i = 0; i < 5; ++i) {
     const Sampler &a = in.textures[i].sampler, &b = out.textures[i].sampler;
     EXPECT_EQ(in.textures[i].image, out.textures[i].image);
     EXPECT_EQ(a.magnify, b.magnify);
@@ -208,8 +218,8 @@ TEST(RoundTrip, KeepsEverything) {
     EXPECT_EQ(a.wrapU, b.wrapU);
     EXPECT_EQ(a.wrapV, b.wrapV);
   }
-  ASSERT_EQ(out.images.size(), 2u);
-  for (int i = 0; i < 2; ++i) {
+  ASSERT_EQ(out.images.size(), 3u);
+  for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(in.images[i].name, out.images[i].name);
     EXPECT_EQ(in.images[i].width, out.images[i].width);
     EXPECT_EQ(in.images[i].height, out.images[i].height);
@@ -263,6 +273,29 @@ TEST(RoundTrip, RefusesABrokenSceneAndLeavesNoFile) {
   EXPECT_NE(written.error().message.find("nodes[0].mesh is 3"), std::string::npos) << written.error().message;
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   EXPECT_FALSE(writeGlb(Scene{}, folder / "no such folder" / "a.glb").ok());
+}
+
+TEST(RoundTrip, RefusesBrokenCookies) {
+  TemporaryFolder folder;
+  const auto refused = [&](const char* reason, const std::function<void(Light&)>& change) {
+    Scene s;
+    s.images = {{"grid", 3, 2, std::vector<std::uint8_t>(24, 200)}};
+    s.textures = {{0, {}}};
+    s.lights.resize(1);
+    s.lights[0].cookie = Cookie{0};
+    s.nodes.resize(1);
+    s.nodes[0].light = 0;
+    ASSERT_TRUE(writeGlb(s, folder / "good.glb").ok());
+    change(s.lights[0]);
+    const auto written = writeGlb(s, folder / "bad.glb");
+    ASSERT_FALSE(written.ok()) << reason;
+    EXPECT_NE(written.error().message.find(reason), std::string::npos) << written.error().message;
+  };
+  refused("lights[0].cookie.texture is 1; there are 1 textures", [](Light& l) { l.cookie->texture = 1; });
+  refused("lights[0].cookie.texture is -1", [](Light& l) { l.cookie->texture = kNone; });
+  refused("lights[0].cookie.size", [](Light& l) { l.cookie->size = {0, 1}; });
+  refused("lights[0].cookie.size", [](Light& l) { l.cookie->size = {1, NAN}; });
+  refused("neither 2:1 nor 6:1", [](Light& l) { l.kind = LightKind::kPoint; });
 }
 
 }  // namespace

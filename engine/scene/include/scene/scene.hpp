@@ -121,6 +121,20 @@ inline constexpr float kDefaultFar = 1000.0f;
 
 enum class LightKind { kDirectional, kSpot, kPoint };
 
+/// An image that a light shines through (a gobo): its colour, sRGB-coded, multiplies the light's. How it is projected:
+/// docs/conventions.md, "Cookies". Always filtered linearly; alpha is not read.
+struct Cookie {
+  std::int32_t texture = kNone;      ///< index into Scene::textures
+  glm::vec2 size{10};                ///< directional: width and height of one tile, metres, > 0; not read for others
+};
+/// A spot light's cookie spans its cone up to this half angle, radians (89 degrees), as the plane of a right angle is
+/// infinitely large; the image's border goes on beyond.
+inline constexpr float kMaxCookieAngle = 1.5533430f;
+
+/// How a point light's image is laid out, by its sides; nothing: neither 2:1 nor 6:1.
+enum class CookieShape { kEquirectangular, kCubeStrip };
+std::optional<CookieShape> pointCookieShape(const Image& image);
+
 /// KHR_lights_punctual. Directional: intensity in lux; spot and point: candela.
 struct Light {
   std::string name;
@@ -130,6 +144,7 @@ struct Light {
   std::optional<float> range;        ///< metres; absent: infinite
   float innerConeAngle = 0;          ///< radians, half angle
   float outerConeAngle = 0.7853982f;
+  std::optional<Cookie> cookie{};
 };
 
 enum class AnimationTarget { kTranslation, kRotation, kScale };
@@ -185,6 +200,9 @@ struct LightView {
   glm::vec3 position{0};
   glm::vec3 direction{0, -1, 0};  ///< unit; direction in which the light travels
   std::int32_t node = kNone;      ///< kNone for the default sun
+  /// Rotation of the light's cookie: columns are the node's right, up and backward (-direction), scale and mirroring
+  /// removed.
+  glm::mat3 worldFromLight{1};
 };
 std::vector<LightView> placedLights(const Scene& scene, const std::vector<glm::mat4>& worldFromNode);
 
