@@ -97,13 +97,12 @@ void addLamp(LevelBuilder& level, const Materials& m) {
   level.point("lamp", {0, -kDrop, 0}, {1.0f, 0.80f, 0.52f}, 70.0f, 16.0f, lamp);
   level.animateSwing(lamp, glm::normalize(glm::vec3(0.45f, 0, 1.0f)), 0, 0.17f, 4.0f, 6);
 
-  MeshBuilder hook;
-  std::vector<glm::vec3> bend;
+  MeshBuilder hook;  // its bend's lowest point carries the chain
+  std::vector<glm::vec3> bend{{-0.05f, 0.32f, 0}};
   for (int i = 0; i <= 14; ++i) {
-    const float angle = 1.5f * glm::pi<float>() * real(i) / 14.0f;
-    bend.emplace_back(0.05f * glm::sin(angle), 0.05f + 0.05f * glm::cos(angle), 0);
+    const float angle = glm::pi<float>() * (1.0f + 1.3f * real(i) / 14.0f);
+    bend.emplace_back(0.05f * glm::cos(angle), 0.05f + 0.05f * glm::sin(angle), 0);
   }
-  bend.insert(bend.begin(), {0, 0.3f, 0});
   tube(hook, bend, std::vector<float>(bend.size(), 0.014f), 8, true);
   level.node("hook", level.mesh("hook", {hook.finish(m.iron)}), kPivot - glm::vec3(0, 0.02f, 0));
 }

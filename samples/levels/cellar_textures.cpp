@@ -179,7 +179,7 @@ scene::Image roseWindow() {
     const Pane pane = rosePane(uv * 2.0f - 1.0f);
     if (pane.toLead < kLead) return glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
     const float tone = 0.72f + 0.36f * cellHash(pane.number, 1, 251);  // no two sheets are alike
-    const float streak = 0.86f + 0.28f * fbm(uv * vec2(24.0f, 60.0f), ivec2(24, 60), 2, 252);
+    const float streak = 0.86f + 0.28f * valueNoise(uv * vec2(24.0f, 60.0f), ivec2(24, 60), 252);
     const float grime = glm::smoothstep(kLead, 4.0f * kLead, pane.toLead);  // dirt gathers along the lead
     return glm::vec4(pane.color * tone * streak * (0.72f + 0.28f * grime), 0.80f);
   });

@@ -115,7 +115,8 @@ std::int32_t LevelBuilder::point(const std::string& name, const glm::vec3& at, c
 }
 
 std::int32_t LevelBuilder::spot(const std::string& name, const glm::vec3& at, const glm::vec3& target,
-                                const glm::vec3& color, float candela, float innerCone, float outerCone, float range) {
+                                const glm::vec3& color, float candela, float innerCone, float outerCone, float range,
+                                std::int32_t cookie) {
   scene::Light light;
   light.name = name;
   light.kind = scene::LightKind::kSpot;
@@ -124,6 +125,7 @@ std::int32_t LevelBuilder::spot(const std::string& name, const glm::vec3& at, co
   light.range = range;
   light.innerConeAngle = glm::radians(innerCone);
   light.outerConeAngle = glm::radians(outerCone);
+  if (cookie != scene::kNone) light.cookie = scene::Cookie{cookie};
   scene::Node n;
   n.name = name;
   n.light = append(scene_.lights, light);

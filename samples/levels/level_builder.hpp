@@ -35,9 +35,9 @@ class LevelBuilder {
   /// A lamp: candela, and how far it reaches in metres. Returns the node.
   std::int32_t point(const std::string& name, const glm::vec3& at, const glm::vec3& color, float candela, float range,
                      std::int32_t parent = scene::kNone);
-  /// A cone of light; half angles in degrees. Returns the node.
+  /// A cone of light; half angles in degrees; `cookie`: the texture that it shines through. Returns the node.
   std::int32_t spot(const std::string& name, const glm::vec3& at, const glm::vec3& target, const glm::vec3& color,
-                    float candela, float innerCone, float outerCone, float range);
+                    float candela, float innerCone, float outerCone, float range, std::int32_t cookie = scene::kNone);
   /// Degrees. Returns the node.
   std::int32_t camera(const std::string& name, const glm::vec3& eye, const glm::vec3& target, float verticalFov,
                       float zfar);

@@ -12,7 +12,7 @@ using namespace vault;
 constexpr float kFar = 60.0f;  // metres: nothing of the closed room is farther away than 18
 constexpr glm::vec4 kWhite{1};
 /// The lamps put some 300 lumen into 360 square metres of grey stone.
-constexpr glm::vec3 kBounced{0.034f, 0.031f, 0.030f};
+constexpr glm::vec3 kBounced{0.050f, 0.046f, 0.044f};
 
 std::int32_t emissive(LevelBuilder& level, const std::string& name, const glm::vec3& color, const glm::vec3& light) {
   scene::Material m;
@@ -55,7 +55,7 @@ Materials addMaterials(LevelBuilder& level, std::int32_t rose) {
 
 void addCameras(LevelBuilder& level) {
   level.camera("0 crypt, both shafts across", {3.3f, 1.65f, 6.1f}, {-2.6f, 2.05f, -3.2f}, 60, kFar);
-  level.camera("1 towards the grating", {-2.3f, 1.5f, 0.4f}, {0.3f, 4.2f, 1.8f}, 75, kFar);
+  level.camera("1 towards the grating", {-2.4f, 1.5f, 1.9f}, {0.3f, 4.1f, 1.85f}, 75, kFar);
   level.camera("2 within the window's light", {3.1f, 2.1f, -1.7f}, {-4.5f, 0.75f, -1.75f}, 65, kFar);
   const std::int32_t tour = level.camera("3 tour", {0, 2, 5}, {0, 2, 0}, 62, kFar);
   level.animateTour(tour,
@@ -64,7 +64,7 @@ void addCameras(LevelBuilder& level) {
                      {{2.0f, 2.2f, -2.0f}, {-3.0f, 1.6f, -2.2f}},
                      {{-0.6f, 2.1f, -4.9f}, {1.6f, 2.3f, 0.0f}},
                      {{-1.6f, 2.4f, -1.6f}, {3.0f, 2.4f, -1.2f}},
-                     {{-2.4f, 2.0f, 2.2f}, {0.6f, 2.9f, 1.0f}}},
+                     {{-2.3f, 2.0f, 0.9f}, {0.6f, 2.9f, 1.2f}}},
                     24.0f);
 }
 
@@ -75,7 +75,7 @@ scene::Scene makeVault() {
   const std::int32_t rose = level.texture(cellar::roseWindow(), scene::Wrap::kClampToEdge);
   level.spot("lamp in the well", kWellLamp, kWellAim, {1.0f, 0.93f, 0.80f}, 1100.0f, 14.5f, kWellCone, 20.0f);
   level.spot("lamp behind the rose window", kWindowLamp, {kHalfWidth, kWindowY, kWindowZ}, {1.0f, 0.95f, 0.86f},
-             6000.0f, kWindowCone - 0.5f, kWindowCone, 30.0f);
+             8000.0f, kWindowCone - 0.5f, kWindowCone, 30.0f, rose);
   addCameras(level);
   const Materials m = addMaterials(level, rose);
   addShell(level, m);

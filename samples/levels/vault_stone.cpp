@@ -145,7 +145,7 @@ void addWindow(LevelBuilder& level, const Materials& m) {
   for (int ring = 0; ring < kRings; ++ring) {
     for (int side = 0; side < kSides; ++side) {
       const int a = ring * kSides + side, c = ring * kSides + (side + 1) % kSides;
-      pane.quad(index[c], index[a], index[a + kSides], index[c + kSides]);  // the front faces the room
+      pane.quad(index[a], index[c], index[c + kSides], index[a + kSides]);  // the front faces the room
     }
   }
   level.single("rose window", {pane.finish(m.rose)});
