@@ -30,6 +30,8 @@ struct FrameRefs {
   render::ImageRef output, depth;
   std::vector<render::ImageRef> shadowMaps;     ///< of each light
   std::vector<render::ImageRef> shadowMoments;  ///< the same; empty refs where the renderer makes none
+  std::vector<render::ImageRef> cookies;        ///< the same; empty refs where the renderer offers none
+  std::vector<gpu::ViewDesc> cookieViews;       ///< each light's layers
   /// Which of the layout's runs the graph recorded: it drops those whose results nobody reads. Filled while it records.
   std::shared_ptr<std::vector<bool>> recorded;
 };

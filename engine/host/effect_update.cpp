@@ -33,6 +33,8 @@ Result<Layout> PluginEffect::State::preview(Structure& structure) {
   structure.lightKinds = {TY_LIGHT_DIRECTIONAL};
   structure.shadowSizes = {2048};
   structure.shadowMoments = TY_FORMAT_RGBA16_UNORM;
+  structure.lightCookies = {0};
+  structure.cookies = true;
   for (const params::Parameter& p : plugin.parameters()) {
     structure.values.push_back(table.value(p.id));
     structure.structural.push_back(p.structural);

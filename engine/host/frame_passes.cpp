@@ -33,6 +33,7 @@ struct Run {
       case TY_SOURCE_SCENE_DEPTH: return refs->depth;
       case TY_SOURCE_SHADOW_MAP: return refs->shadowMaps[light];
       case TY_SOURCE_SHADOW_MOMENTS: return refs->shadowMoments[light];
+      case TY_SOURCE_LIGHT_COOKIE: return refs->cookies[light];
       default: return refs->output;
     }
   }
@@ -49,7 +50,10 @@ void bind(PassContext& context, const Run& run) {
     } else if (b.source == TY_SOURCE_BUFFER) {
       descriptors.storageBuffer(b.binding, context.buffer(run.refs->buffers[b.index]));
     } else {
-      const VkImageView view = context.view(run.image(b.source, b.index), viewOf(run.built->layout, b));
+      const VkImageView view =
+          context.view(run.image(b.source, b.index), b.source == TY_SOURCE_LIGHT_COOKIE
+                                                         ? run.refs->cookieViews[run.light]
+                                                         : viewOf(run.built->layout, b));
       if (b.access == TY_ACCESS_SAMPLED)
         descriptors.sampled(b.binding, view, samplerOf(context.device(), b.sampler),
                             sampledLayout(*run.built, run.pass, b));
@@ -156,6 +160,8 @@ std::shared_ptr<FrameRefs> declare(const render::EffectInput& input, Built& buil
   for (const render::ShadowedLight& light : input.lights) {
     refs->shadowMaps.push_back(light.shadowMap);
     refs->shadowMoments.push_back(light.moments);
+    refs->cookies.push_back(light.cookie);
+    refs->cookieViews.push_back({0, 0, light.cookieLayer, std::max(1u, light.cookieFaces), true});
   }
   const VkImageLayout before = built.resources.historyCleared ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_UNDEFINED;
   for (std::size_t i = 0; i < layout.images.size(); ++i) {

@@ -145,7 +145,8 @@ class Checker {
       if (!uses) return uses.error();
       for (const PassUse& use : uses.value()) {
         const auto source = use.resource.source;
-        if (source == TY_SOURCE_SCENE_DEPTH || source == TY_SOURCE_SHADOW_MAP || source == TY_SOURCE_SHADOW_MOMENTS)
+        if (source == TY_SOURCE_SCENE_DEPTH || source == TY_SOURCE_SHADOW_MAP || source == TY_SOURCE_SHADOW_MOMENTS ||
+            source == TY_SOURCE_LIGHT_COOKIE)
           continue;
         const Text name = source == TY_SOURCE_OUTPUT  ? Text("the output")
                           : source == TY_SOURCE_IMAGE ? "image '" + l_.images[use.resource.index].name + "'"

@@ -112,6 +112,14 @@ class PassChecker {
         layers = TY_NONE;  // 1 or 6, by the light: only the whole array can be bound
         if (b.base_layer != 0 || b.layer_count != 0) return failed("takes a part of a shadow map; bind all of it");
         break;
+      case TY_SOURCE_LIGHT_COOKIE:
+        if (!context_.cookies) return failed("takes a light's cookie, which this renderer does not offer (light_cookies)");
+        if (!p.d.per_light) return failed("takes a light's cookie in a pass that is not per light");
+        if (b.access != TY_ACCESS_SAMPLED) return failed("stores to or loads from a light's cookie; sample it");
+        if (b.base_mip != 0 || b.mip_count != 0 || b.base_layer != 0 || b.layer_count != 0)
+          return failed("takes a part of a light's cookie; bind all of it");
+        format = TY_FORMAT_RGBA16_FLOAT;
+        break;
       case TY_SOURCE_SCENE_DEPTH: break;
       default: return failed("has unknown source " + str(b.source));
     }
@@ -124,7 +132,7 @@ class PassChecker {
       return failed("takes layers beyond the image's " + str(layers));
     if (storage && b.mip_count > 1) return failed("takes several mips by storage access; bind one");
     if (b.access == TY_ACCESS_SAMPLED) {
-      if (b.sampler > TY_SAMPLER_LINEAR_MIPMAP_CLAMP) return failed("has unknown sampler " + str(b.sampler));
+      if (b.sampler > TY_SAMPLER_LINEAR_MIPMAP_REPEAT) return failed("has unknown sampler " + str(b.sampler));
       const bool nearest = b.sampler == TY_SAMPLER_NEAREST_CLAMP || b.sampler == TY_SAMPLER_NEAREST_REPEAT;
       if (!nearest && (format == TY_FORMAT_D32_FLOAT || isInteger(format)))
         return failed("filters a depth or integer format linearly; take a nearest sampler");

@@ -74,11 +74,12 @@ VkFormat vulkanFormat(std::uint32_t format) {
 VkSampler samplerOf(gpu::Device& device, std::uint32_t sampler) {
   VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
   const bool linear = sampler == TY_SAMPLER_LINEAR_CLAMP || sampler == TY_SAMPLER_LINEAR_REPEAT ||
-                      sampler == TY_SAMPLER_LINEAR_MIPMAP_CLAMP;
-  const bool repeat = sampler == TY_SAMPLER_NEAREST_REPEAT || sampler == TY_SAMPLER_LINEAR_REPEAT;
+                      sampler == TY_SAMPLER_LINEAR_MIPMAP_CLAMP || sampler == TY_SAMPLER_LINEAR_MIPMAP_REPEAT;
+  const bool repeat = sampler == TY_SAMPLER_NEAREST_REPEAT || sampler == TY_SAMPLER_LINEAR_REPEAT ||
+                      sampler == TY_SAMPLER_LINEAR_MIPMAP_REPEAT;
+  const bool mipmap = sampler == TY_SAMPLER_LINEAR_MIPMAP_CLAMP || sampler == TY_SAMPLER_LINEAR_MIPMAP_REPEAT;
   info.magFilter = info.minFilter = linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
-  info.mipmapMode =
-      sampler == TY_SAMPLER_LINEAR_MIPMAP_CLAMP ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  info.mipmapMode = mipmap ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
   info.addressModeU = info.addressModeV = info.addressModeW =
       repeat ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   info.maxLod = VK_LOD_CLAMP_NONE;

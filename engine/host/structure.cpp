@@ -25,12 +25,15 @@ TyStructure Structure::abi() const {
   s.values = values.data();
   s.value_count = static_cast<std::uint32_t>(values.size());
   s.shadow_moments_format = shadowMoments;
+  static constexpr std::uint32_t kNoLight = 0;  // null would say that the renderer offers none
+  if (cookies) s.light_cookies = lightCookies.empty() ? &kNoLight : lightCookies.data();
   return s;
 }
 
 bool Structure::sameLayout(const Structure& other) const {
   if (width != other.width || height != other.height || lightKinds != other.lightKinds ||
-      shadowSizes != other.shadowSizes || shadowMoments != other.shadowMoments || values.size() != other.values.size())
+      shadowSizes != other.shadowSizes || shadowMoments != other.shadowMoments ||
+      lightCookies != other.lightCookies || cookies != other.cookies || values.size() != other.values.size())
     return false;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (structural[i] && values[i] != other.values[i]) return false;
@@ -60,7 +63,10 @@ Structure makeStructure(const render::EffectInput& input, const std::vector<para
   for (const render::ShadowedLight& light : input.lights) {
     s.lightKinds.push_back(lightKind(light.light.light.kind));
     s.shadowSizes.push_back(light.size);
+    s.lightCookies.push_back(light.cookieFaces);
   }
+  s.cookies = std::all_of(input.lights.begin(), input.lights.end(),
+                          [](const render::ShadowedLight& light) { return static_cast<bool>(light.cookie); });
   s.shadowMoments = shadowMomentsOf(input);
   for (const params::Parameter& p : parameters) {
     s.values.push_back(table.value(p.id));
@@ -129,6 +135,9 @@ TyLight makeLight(const render::ShadowedLight& shadowed) {
   l.shadow_size = shadowed.size;
   for (std::size_t i = 0; i < 6; ++i) copyMatrix(l.shadow_clip_from_world[i], shadowed.clipFromWorld[i]);
   for (std::size_t i = 0; i < 8; ++i) copyVector(l.caster_corners[i], shadowed.casterCorners[i]);
+  copyMatrix(l.cookie_from_world, shadowed.cookieFromWorld);
+  l.cookie_faces = shadowed.cookieFaces;
+  l.cookie_repeats = shadowed.cookieRepeats;
   return l;
 }
 

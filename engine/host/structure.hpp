@@ -16,12 +16,14 @@ struct Structure {
   std::uint32_t width = 1, height = 1;
   std::vector<std::uint32_t> lightKinds, shadowSizes;
   std::uint32_t shadowMoments = TY_FORMAT_UNKNOWN;  ///< TyFormat
+  std::vector<std::uint32_t> lightCookies;          ///< faces of each light's
+  bool cookies = false;                             ///< the renderer offers them
   std::vector<double> values;                       ///< of every parameter
   std::vector<bool> structural;
 
   TyStructure abi() const;  ///< points into this
   LayoutContext context() const {
-    return {width, height, lightKinds, static_cast<std::uint32_t>(values.size()), structural, shadowMoments};
+    return {width, height, lightKinds, static_cast<std::uint32_t>(values.size()), structural, shadowMoments, cookies};
   }
   /// The same layout is due: equal but for values that are not structural.
   bool sameLayout(const Structure& other) const;

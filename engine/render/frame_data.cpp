@@ -52,6 +52,8 @@ FrameSamplers makeSamplers(gpu::Device& device) {
   info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
   info.maxLod = VK_LOD_CLAMP_NONE;
   samplers.trilinear = device.sampler(info);
+  info.addressModeU = info.addressModeV = VK_SAMPLER_ADDRESS_MODE_REPEAT;
+  samplers.cookie = device.sampler(info);
   return samplers;
 }
 

@@ -49,6 +49,8 @@ struct FrameData {
   std::vector<ShadowedLight> shadowedLights;     ///< in file order, for effects
   std::shared_ptr<const SceneResources> resources;
   BlockRange viewBlock, lightBlocks, instanceBlocks;
+  bool cookies = false;               ///< some light has one
+  ImageRef cookieArray, noCookie;     ///< resources->cookies and a white texel, for effects; empty without an effect
 
   ImageRef base, normal, emissive, depth, color;
 
@@ -65,6 +67,7 @@ struct FrameSamplers {
   VkSampler borderLit = VK_NULL_HANDLE;  ///< nearest, 1 outside: maps outside of which everything is lit
   VkSampler linear = VK_NULL_HANDLE;     ///< linear in one mip, clamped
   VkSampler trilinear = VK_NULL_HANDLE;  ///< trilinear, clamped: moment shadow maps
+  VkSampler cookie = VK_NULL_HANDLE;     ///< trilinear, repeating
 };
 FrameSamplers makeSamplers(gpu::Device& device);
 

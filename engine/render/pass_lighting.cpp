@@ -38,7 +38,7 @@ void declare(Graph& graph, const PassTools& tools, FramePointer frame, const gpu
         .sampled(3, context.view(frame->normal), texel)
         .sampled(4, context.view(frame->emissive), texel)
         .sampled(5, context.view(frame->depth), texel);
-    bindLights(context, tools, *frame, descriptors, {1, 6, 10}, batch.firstShadowed, batch.shadowedCount);
+    bindLights(context, tools, *frame, descriptors, {1, 6, 10, 11}, batch.firstShadowed, batch.shadowedCount);
     drawFullScreen(commands, pipeline, descriptors, batch.unshadowed);
     context.endRendering();
   });
@@ -67,7 +67,7 @@ Result<void> addLightingPasses(Graph& graph, const PassTools& tools, const std::
     }
     if (batch.rect.empty()) continue;
     Result<const gpu::Pipeline*> pipeline =
-        tools.pipelines.get(lightingRecipe(batch.base(), batch.shadowedCount, frame->surfaceMaps));
+        tools.pipelines.get(lightingRecipe(batch.base(), batch.shadowedCount, frame->surfaceMaps, frame->cookies));
     if (!pipeline) return pipeline.error();
     declare(graph, tools, frame, **pipeline, batch);
   }

@@ -17,6 +17,12 @@ ShadowedLight describe(const FrameData& frame, const scene::LightView& light, co
   out.size = size;
   out.clipFromWorld = fit.clipFromWorld;
   out.casterCorners = boxCorners(frame.draws.casters, frame.view.eye);
+  const shared::CookieBlock cookie = cookieBlock(light, frame.resources->cookies);
+  out.cookie = cookie.faces ? frame.cookieArray : frame.noCookie;
+  out.cookieLayer = cookie.layer;
+  out.cookieFaces = cookie.faces;
+  out.cookieRepeats = cookie.repeats;
+  out.cookieFromWorld = cookie.cookieFromWorld;
   return out;
 }
 
@@ -70,6 +76,10 @@ void bindLights(PassContext& context, const PassTools& tools, const FrameData& f
       .uniformBuffer(bindings.shadowed, blocks.buffer, blocks.offset + first * sizeof(shared::LightBlock),
                      kShadowSlots * sizeof(shared::LightBlock))
       .storageBuffer(bindings.all, blocks.buffer, blocks.offset, blocks.size);
+  gpu::ViewDesc array;
+  array.array = true;
+  descriptors.sampled(bindings.cookies, frame.cookies ? frame.resources->cookies.image.view(array) : tools.unusedMap,
+                      tools.samplers.cookie);
   for (std::uint32_t slot = 0; slot < kShadowSlots; ++slot) {
     if (slot >= count) {
       descriptors.sampled(bindings.firstMap + slot, tools.unusedMap, tools.samplers.texel);

@@ -21,7 +21,7 @@ Result<void> addTransparentPass(Graph& graph, const PassTools& tools, const std:
                                 " most important lights only, of " + std::to_string(shadowed) + " with shadow maps");
   }
   Result<DrawPipelines> pipelines = pipelinesOf(tools.pipelines, draws, [&](const Draw& draw) {
-    return transparentRecipe(draw.facing, draw.textures, slots, frame->surfaceMaps);
+    return transparentRecipe(draw.facing, draw.textures, slots, frame->surfaceMaps, frame->cookies);
   });
   if (!pipelines) return pipelines.error();
   Graph::Pass pass = graph.pass("transparent");
@@ -33,7 +33,7 @@ Result<void> addTransparentPass(Graph& graph, const PassTools& tools, const std:
     context.beginRendering({{frame->color}}, &depth);
     recordShaded(context, *frame, frame->draws.blended, pipelines, [&](const gpu::Pipeline& pipeline) {
       gpu::Descriptors descriptors(context.commands(), pipeline);
-      bindLights(context, tools, *frame, descriptors, {9, 10, 14}, 0, slots);
+      bindLights(context, tools, *frame, descriptors, {9, 10, 14, 15}, 0, slots);
       descriptors.push();
       vkCmdPushConstants(context.commands(), pipeline.layout(), VK_SHADER_STAGE_ALL, 0, sizeof(others), &others);
     });

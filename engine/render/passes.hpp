@@ -15,7 +15,7 @@ namespace tyndall::render {
 struct PassTools {
   PipelineLibrary& pipelines;
   FrameSamplers samplers;
-  VkImageView unusedMap = VK_NULL_HANDLE;  ///< a 1x1 array view for shadow slots without a light
+  VkImageView unusedMap = VK_NULL_HANDLE;  ///< a white 1x1 array view for shadow slots without a light, and for cookies
 };
 
 /// One pass per light with a map (all faces), clearing it and drawing the casters, and those of its moment map. Fills
@@ -63,12 +63,12 @@ void drawFullScreen(VkCommandBuffer commands, const gpu::Pipeline& pipeline, gpu
 ImageRef viewImage(Graph& graph, const std::string& name, VkFormat format, std::uint32_t width, std::uint32_t height);
 
 /// Binding numbers of what lights.glsl reads: the block of shadowed lights, the first shadow map, the array of all
-/// lights.
+/// lights, their cookies.
 struct LightBindings {
-  std::uint32_t shadowed, firstMap, all;
+  std::uint32_t shadowed, firstMap, all, cookies;
 };
 /// Binds lights [first, first + count) of plan.shadowed with their maps (`first` a multiple of kShadowSlots; slots
-/// without a light get a stand-in) and the array of all lights.
+/// without a light get a stand-in), the array of all lights and their cookies.
 void bindLights(PassContext& context, const PassTools& tools, const FrameData& frame, gpu::Descriptors& descriptors,
                 const LightBindings& bindings, std::uint32_t first, std::uint32_t count);
 

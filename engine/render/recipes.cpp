@@ -69,6 +69,8 @@ Recipe fullScreen(const std::string& name, const std::string& fragment, VkFormat
   return recipe;
 }
 
+const char* cookiesText(bool cookies) { return cookies ? ", cookies" : ""; }
+
 std::string mapsText(std::uint32_t slots, ShadowMaps maps) {
   static constexpr const char* kKinds[] = {" shadow maps", " quantised moment shadow maps", " moment shadow maps"};
   return std::to_string(slots) + kKinds[static_cast<std::uint32_t>(maps)];
@@ -101,12 +103,13 @@ Recipe casterRecipe(bool mask) {
   return recipe;
 }
 
-Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots, ShadowMaps maps) {
-  Recipe recipe = geometry("transparent, " + mapsText(slots, maps), "transparent.frag", facing, textures);
+Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots, ShadowMaps maps, bool cookies) {
+  Recipe recipe = geometry("transparent, " + mapsText(slots, maps) + cookiesText(cookies), "transparent.frag", facing, textures);
   recipe.desc.bindings.push_back({9, kUniform});
   addSampled(recipe.desc.bindings, 10, shared::kShadowSlots);
   recipe.desc.bindings.push_back({14, kStorage});
-  recipe.desc.specialization = {{1, slots}, {2, textures}, {3, static_cast<std::uint32_t>(maps)}};
+  recipe.desc.bindings.push_back({15, kSampled});
+  recipe.desc.specialization = {{1, slots}, {2, textures}, {3, static_cast<std::uint32_t>(maps)}, {4, cookies ? 1u : 0u}};
   recipe.desc.pushConstantBytes = sizeof(UnshadowedLights);
   gpu::ColorTarget target{kColorFormat, true};
   target.sourceFactor = VK_BLEND_FACTOR_SRC_ALPHA;
@@ -117,13 +120,15 @@ Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t sl
   return recipe;
 }
 
-Recipe lightingRecipe(bool base, std::uint32_t slots, ShadowMaps maps) {
-  Recipe recipe =
-      fullScreen((base ? "lighting, " : "more lighting, ") + mapsText(slots, maps), "lighting.frag", kColorFormat);
+Recipe lightingRecipe(bool base, std::uint32_t slots, ShadowMaps maps, bool cookies) {
+  Recipe recipe = fullScreen((base ? "lighting, " : "more lighting, ") + mapsText(slots, maps) + cookiesText(cookies),
+                             "lighting.frag", kColorFormat);
   recipe.desc.bindings = {{0, kUniform}, {1, kUniform}};
   addSampled(recipe.desc.bindings, 2, 4 + shared::kShadowSlots);
   recipe.desc.bindings.push_back({10, kStorage});
-  recipe.desc.specialization = {{0, base ? 1u : 0u}, {1, slots}, {3, static_cast<std::uint32_t>(maps)}};
+  recipe.desc.bindings.push_back({11, kSampled});
+  recipe.desc.specialization = {
+      {0, base ? 1u : 0u}, {1, slots}, {3, static_cast<std::uint32_t>(maps)}, {4, cookies ? 1u : 0u}};
   recipe.desc.pushConstantBytes = sizeof(UnshadowedLights);
   gpu::ColorTarget& target = recipe.desc.colors[0];
   target.blend = !base;

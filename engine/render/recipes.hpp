@@ -41,10 +41,10 @@ struct DebugPush {
 /// `textures`: shared::k...Map bits, of the maps that the shader looks up.
 Recipe gbufferRecipe(Facing facing, bool mask, std::uint32_t textures);
 Recipe casterRecipe(bool mask);
-/// `slots`: how many shadow maps the shader reads, at most kShadowSlots.
-Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots, ShadowMaps maps);
+/// `slots`: how many shadow maps the shader reads, at most kShadowSlots. `cookies`: some light has one.
+Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots, ShadowMaps maps, bool cookies);
 /// `base`: the first pass, which also writes sky and emission; others add.
-Recipe lightingRecipe(bool base, std::uint32_t slots, ShadowMaps maps);
+Recipe lightingRecipe(bool base, std::uint32_t slots, ShadowMaps maps, bool cookies);
 Recipe compositeRecipe(bool scatter);
 Recipe distanceRecipe();
 Recipe debugViewRecipe();

@@ -106,6 +106,12 @@ Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) 
   }
   frame->plan = planLights(frame->view, input.lights, frame->draws.casters, input.settings.shadowResolution,
                            kShadowBudgetBytes, shadowTexelBytes(*frame));
+  for (std::size_t i = 0; i < frame->plan.blocks.size(); ++i) {
+    const std::size_t shadowed = frame->plan.shadowed.size();
+    const std::uint32_t source = i < shadowed ? frame->plan.shadowed[i].source : frame->plan.unshadowed[i - shadowed];
+    frame->plan.blocks[i].cookie = cookieBlock(input.lights[source], resources->cookies);
+    frame->cookies |= frame->plan.blocks[i].cookie.faces != 0;
+  }
 
   const shared::ViewBlock view = makeViewBlock(frame->view, frame->clipFromWorld, input.lights);
   // Whole groups of slots, because the block of a group is bound as one.
@@ -142,6 +148,11 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
   const std::shared_ptr<FrameData>& frame = *prepared;
   const PassTools tools = state_->tools();
   const std::string& debugView = input.settings.debugView;
+  if (input.effect) {
+    constexpr VkImageLayout kRead = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    frame->noCookie = graph.import(state_->unusedMap, kRead, kRead);
+    if (frame->cookies) frame->cookieArray = graph.import(frame->resources->cookies.image, kRead, kRead);
+  }
   if (Result<void> r = addShadowPasses(graph, tools, frame, input.lights, shadowSize); !r) return r.error();
   if (Result<void> r = addGBufferPass(graph, tools, frame, !debugView.empty()); !r) return r.error();
   if (Result<void> r = addLightingPasses(graph, tools, frame, input.lights); !r) return r.error();

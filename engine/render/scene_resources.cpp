@@ -145,6 +145,9 @@ Result<std::shared_ptr<const SceneResources>> uploadScene(gpu::Device& device, c
   }
   if (Result<void> done = add(scene::Material{}); !done) return done.error();
   resources->images = textures.takeImages();
+  Result<Cookies> cookies = uploadCookies(device, scene);
+  if (!cookies) return cookies.error();
+  resources->cookies = cookies.take();
 
   Result<gpu::Buffer> made = uploadBuffer(device, "materials", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, blocks);
   if (!made) return made.error();

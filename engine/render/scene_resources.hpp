@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "cookies.hpp"
 #include "gpu/device.hpp"
 #include "scene/scene.hpp"
 
@@ -39,6 +40,7 @@ struct SceneResources {
   gpu::Buffer vertices, indices;
   gpu::Buffer materialBlocks;  ///< one shared::MaterialBlock every kMaterialStride bytes
   std::vector<gpu::Image> images;
+  Cookies cookies;
   std::vector<std::vector<DrawRange>> meshes;  ///< by mesh, then by primitive
   std::vector<MaterialBindings> materials;     ///< one more than the scene's: the last is glTF's default material
 };

@@ -13,8 +13,10 @@ const std::array<std::array<double, 2>, 3> kGauss{
 
 }  // namespace
 
-LocalLight::LocalLight(const scene::LightView& light, const glm::dvec3& eye)
-    : position_(glm::dvec3(light.position) - eye), axis_(glm::normalize(glm::dvec3(light.direction))) {
+LocalLight::LocalLight(const scene::Scene& scene, const scene::LightView& light, const glm::dvec3& eye)
+    : position_(glm::dvec3(light.position) - eye),
+      axis_(glm::normalize(glm::dvec3(light.direction))),
+      image_(LightImage::of(scene, light, eye)) {
   if (light.light.range) range_ = double{*light.light.range};
   if (light.light.kind != scene::LightKind::kSpot) return;
   spot_ = true;
@@ -74,10 +76,10 @@ std::optional<Interval> LocalLight::reached(const glm::dvec3& direction, double 
   return part;
 }
 
-double LocalLight::scatter(const glm::dvec3& direction, double length, const Medium& medium, std::uint32_t samples,
-                           ShadowRays& rays) const {
+glm::dvec3 LocalLight::scatter(const glm::dvec3& direction, double length, const Medium& medium, std::uint32_t samples,
+                               ShadowRays& rays) const {
   const auto part = reached(direction, length);
-  if (!part) return 0;
+  if (!part) return glm::dvec3(0);
   const double closest = glm::dot(position_, direction);
   const double pass = std::max(glm::length(glm::cross(position_, direction)), kClosestPass);
   const double firstAngle = std::atan2(part->begin - closest, pass);
@@ -90,12 +92,13 @@ double LocalLight::scatter(const glm::dvec3& direction, double length, const Med
     const double distance = std::sqrt(offset * offset + pass * pass);
     const double t = closest + offset;
     const double cosineToAxis = glm::dot(t * direction - position_, axis_) / distance;
-    return std::exp(-medium.sigma_t * (t + distance)) * phase(medium.g, -offset / distance) *
-           attenuation(distance, cosineToAxis) * distance * distance / pass;
+    const double value = std::exp(-medium.sigma_t * (t + distance)) * phase(medium.g, -offset / distance) *
+                         attenuation(distance, cosineToAxis) * distance * distance / pass;
+    return image_ ? value * image_->colorTowards(t * direction) : glm::dvec3(value);
   };
   for (std::uint32_t i = 0; i < samples; ++i) {
     const double middle = firstAngle + (2.0 * i + 1) * half;
-    double weight = 0;
+    glm::dvec3 weight(0);
     for (const auto& [place, share] : kGauss) weight += share * half * unshadowed(middle + place * half);
     const glm::dvec3 point = (closest + pass * std::tan(middle)) * direction;
     const glm::dvec3 toLight = position_ - point;

@@ -1,37 +1,10 @@
 #include "mask.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "texture.hpp"
+
 namespace tyndall::truth {
-namespace {
-
-/// Moves a coordinate into the wrap mode's first period, so that huge ones fit an integer after scaling.
-double reduced(double coordinate, scene::Wrap wrap) {
-  switch (wrap) {
-    case scene::Wrap::kRepeat: return coordinate - std::floor(coordinate);
-    case scene::Wrap::kMirroredRepeat: return coordinate - 2 * std::floor(coordinate / 2);
-    case scene::Wrap::kClampToEdge: break;
-  }
-  return std::clamp(coordinate, -1.0, 2.0);
-}
-
-std::int64_t modulo(std::int64_t i, std::int64_t n) { return (i % n + n) % n; }
-
-/// Vulkan 1.3, "Wrapping Operation".
-std::int64_t wrapped(std::int64_t texel, std::int64_t size, scene::Wrap wrap) {
-  switch (wrap) {
-    case scene::Wrap::kRepeat: return modulo(texel, size);
-    case scene::Wrap::kMirroredRepeat: {
-      const std::int64_t i = modulo(texel, 2 * size) - size;
-      return size - 1 - (i >= 0 ? i : -(1 + i));
-    }
-    case scene::Wrap::kClampToEdge: break;
-  }
-  return std::clamp<std::int64_t>(texel, 0, size - 1);
-}
-
-}  // namespace
 
 glm::dmat3x2 uvTransform(const scene::TextureUse& use) {
   const double c = std::cos(double{use.rotation}), s = std::sin(double{use.rotation});
@@ -39,20 +12,15 @@ glm::dmat3x2 uvTransform(const scene::TextureUse& use) {
 }
 
 double fetchAlpha(const scene::Image& image, const scene::Sampler& sampler, glm::dvec2 uv) {
-  const std::int64_t width = image.width, height = image.height;
-  const double x = reduced(uv.x, sampler.wrapU) * static_cast<double>(width);
-  const double y = reduced(uv.y, sampler.wrapV) * static_cast<double>(height);
-  const auto column = [&](double i) { return wrapped(static_cast<std::int64_t>(i), width, sampler.wrapU); };
-  const auto row = [&](double j) { return wrapped(static_cast<std::int64_t>(j), height, sampler.wrapV); };
+  const Grid grid{image.width, image.height, sampler.wrapU, sampler.wrapV};
   const auto texel = [&](std::int64_t i, std::int64_t j) {
-    return image.rgba[static_cast<std::size_t>((j * width + i) * 4 + 3)] / 255.0;
+    return image.rgba[static_cast<std::size_t>((j * grid.width + i) * 4 + 3)] / 255.0;
   };
-  if (sampler.magnify == scene::Filter::kNearest) return texel(column(std::floor(x)), row(std::floor(y)));
-  const double i = std::floor(x - 0.5), j = std::floor(y - 0.5);
-  const double a = x - 0.5 - i, b = y - 0.5 - j;
-  const std::int64_t left = column(i), right = column(i + 1), top = row(j), bottom = row(j + 1);
-  return (1 - b) * ((1 - a) * texel(left, top) + a * texel(right, top)) +
-         b * ((1 - a) * texel(left, bottom) + a * texel(right, bottom));
+  if (sampler.magnify != scene::Filter::kNearest) return bilinear(grid, uv, texel);
+  const double x = reduced(uv.x, grid.wrapU) * static_cast<double>(grid.width);
+  const double y = reduced(uv.y, grid.wrapV) * static_cast<double>(grid.height);
+  return texel(wrapped(static_cast<std::int64_t>(std::floor(x)), grid.width, grid.wrapU),
+               wrapped(static_cast<std::int64_t>(std::floor(y)), grid.height, grid.wrapV));
 }
 
 Mask::Mask(const scene::Scene& scene, const scene::Primitive& primitive, const scene::Material& material)

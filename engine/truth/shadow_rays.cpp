@@ -18,8 +18,8 @@ ShadowRays::ShadowRays(const Occluders& occluders) : tree_(occluders.tree()), em
   std::fill(std::begin(rays_.mask), std::end(rays_.mask), ~0u);
 }
 
-void ShadowRays::add(const glm::dvec3& point, const glm::dvec3& direction, double distance, double weight) {
-  if (weight == 0) return;
+void ShadowRays::add(const glm::dvec3& point, const glm::dvec3& direction, double distance, const glm::dvec3& weight) {
+  if (weight == glm::dvec3(0)) return;
   const double bias = kRelativeBias * std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
   if (empty_ || distance <= 2 * bias) {
     sum_ += weight;
@@ -38,10 +38,10 @@ void ShadowRays::add(const glm::dvec3& point, const glm::dvec3& direction, doubl
   if (count_ == kWidth) trace();
 }
 
-double ShadowRays::finish() {
+glm::dvec3 ShadowRays::finish() {
   if (count_ > 0) trace();
-  const double sum = sum_;
-  sum_ = 0;
+  const glm::dvec3 sum = sum_;
+  sum_ = glm::dvec3(0);
   return sum;
 }
 

@@ -1,4 +1,4 @@
-// Sums the weights of those points of a ray that see their light.
+// Sums the weights (one for each colour) of those points of a ray that see their light.
 #pragma once
 
 #include <array>
@@ -14,10 +14,10 @@ class ShadowRays {
 
   /// A ray from `point` (relative to the eye) along the unit vector `direction`, up to `distance` (may be infinite).
   /// `weight` counts if nothing is in between.
-  void add(const glm::dvec3& point, const glm::dvec3& direction, double distance, double weight);
+  void add(const glm::dvec3& point, const glm::dvec3& direction, double distance, const glm::dvec3& weight);
 
   /// The weights of all unoccluded rays since the last call.
-  double finish();
+  glm::dvec3 finish();
 
  private:
   static constexpr unsigned kWidth = 8;
@@ -27,9 +27,9 @@ class ShadowRays {
   bool empty_;  ///< nothing can occlude
   RTCIntersectContext context_;
   RTCRay8 rays_{};
-  std::array<double, kWidth> weights_{};
+  std::array<glm::dvec3, kWidth> weights_{};
   unsigned count_ = 0;
-  double sum_ = 0;
+  glm::dvec3 sum_{0};
 };
 
 }  // namespace tyndall::truth

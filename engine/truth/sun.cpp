@@ -40,18 +40,29 @@ std::optional<Interval> shadowable(const Box& casters, const glm::dvec3& travel,
   return Interval{std::clamp(first->x, 0.0, length), std::clamp(last->x, 0.0, length)};
 }
 
-double sunScatter(const glm::dvec3& travel, const glm::dvec3& direction, double length, const Medium& medium,
-                  const Box& casters, std::uint32_t samples, ShadowRays& rays) {
+glm::dvec3 sunScatter(const glm::dvec3& travel, const LightImage* image, const glm::dvec3& direction, double length,
+                      const Medium& medium, const Box& casters, std::uint32_t samples, ShadowRays& rays) {
   const double p = phase(medium.g, -glm::dot(travel, direction));
   const auto part = shadowable(casters, travel, direction, length);
-  if (!part) return p * transmittedLength(medium.sigma_t, {0, length});
-  const double lit =
-      transmittedLength(medium.sigma_t, {0, part->begin}) + transmittedLength(medium.sigma_t, {part->end, length});
-  const double weight = transmittedLength(medium.sigma_t, *part) / samples;
-  for (std::uint32_t i = 0; i < samples; ++i) {
-    const double t = distanceAtShare(medium.sigma_t, *part, (i + 0.5) / samples);
-    rays.add(t * direction, -travel, std::numeric_limits<double>::infinity(), weight);
+  const auto strata = [&](Interval interval, auto&& one) {
+    if (interval.length() <= 0) return;
+    const double weight = transmittedLength(medium.sigma_t, interval) / samples;
+    for (std::uint32_t i = 0; i < samples; ++i) {
+      const glm::dvec3 point = distanceAtShare(medium.sigma_t, interval, (i + 0.5) / samples) * direction;
+      one(point, image ? weight * image->colorTowards(point) : glm::dvec3(weight));
+    }
+  };
+  glm::dvec3 lit(0);
+  for (const Interval end : {Interval{0, part ? part->begin : length}, Interval{part ? part->end : length, length}}) {
+    if (image)
+      strata(end, [&](const glm::dvec3&, const glm::dvec3& weight) { lit += weight; });
+    else
+      lit += transmittedLength(medium.sigma_t, end);
   }
+  if (part)
+    strata(*part, [&](const glm::dvec3& point, const glm::dvec3& weight) {
+      rays.add(point, -travel, std::numeric_limits<double>::infinity(), weight);
+    });
   return p * (lit + rays.finish());
 }
 

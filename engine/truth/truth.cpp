@@ -68,6 +68,7 @@ class Lens {
 
 struct Sun {
   glm::dvec3 travel, irradiance;
+  std::optional<LightImage> image;
 };
 struct Lamp {
   LocalLight light;
@@ -91,9 +92,10 @@ Result<Picture> render(const scene::Scene& scene, const scene::CameraView& camer
     const glm::dvec3 power = glm::dvec3(light.light.color) * double{light.light.intensity};
     if (power == glm::dvec3(0)) continue;
     if (light.light.kind == scene::LightKind::kDirectional)
-      suns.push_back({glm::normalize(glm::dvec3(light.direction)), power});
+      suns.push_back(
+          {glm::normalize(glm::dvec3(light.direction)), power, LightImage::of(scene, light, lens.eye())});
     else
-      lamps.push_back({LocalLight(light, lens.eye()), power});
+      lamps.push_back({LocalLight(scene, light, lens.eye()), power});
   }
 
   const Medium& medium = settings.medium;
@@ -113,7 +115,8 @@ Result<Picture> render(const scene::Scene& scene, const scene::CameraView& camer
       if (sigma_s > 0) {
         for (const Sun& sun : suns)
           radiance += sun.irradiance *
-                      sunScatter(sun.travel, direction, end, medium, occluders.bounds(), settings.samples, rays);
+                      sunScatter(sun.travel, sun.image ? &*sun.image : nullptr, direction, end, medium,
+                                 occluders.bounds(), settings.samples, rays);
         for (const Lamp& lamp : lamps)
           radiance += lamp.candela * lamp.light.scatter(direction, end, medium, settings.samples, rays);
       }

@@ -12,6 +12,7 @@
 layout(constant_id = 0) const bool BASE = true;
 layout(constant_id = 1) const int SHADOW_SLOTS = 4;
 layout(constant_id = 3) const uint SHADOW_MAPS = 0u;  // 0 depths, 1 quantised moments, 2 moments
+layout(constant_id = 4) const bool COOKIES = true;    // false: no light has one
 
 layout(push_constant, scalar) uniform Push { uint firstUnshadowed, unshadowedCount; };
 layout(binding = 0, scalar) uniform ViewUniform { ViewBlock view; };
@@ -25,6 +26,7 @@ layout(binding = 7) uniform sampler2DArray shadowMap1;
 layout(binding = 8) uniform sampler2DArray shadowMap2;
 layout(binding = 9) uniform sampler2DArray shadowMap3;
 layout(binding = 10, scalar) readonly buffer Lights { LightBlock lights[]; };
+layout(binding = 11) uniform sampler2DArray cookies;
 
 layout(location = 0) out vec4 outColor;
 

@@ -9,6 +9,7 @@
 
 layout(constant_id = 1) const int SHADOW_SLOTS = 4;
 layout(constant_id = 3) const uint SHADOW_MAPS = 0u;  // 0 depths, 1 quantised moments, 2 moments
+layout(constant_id = 4) const bool COOKIES = true;    // false: no light has one
 
 layout(push_constant, scalar) uniform Push { uint firstUnshadowed, unshadowedCount; };
 layout(binding = 9, scalar) uniform ShadowedLights { LightBlock shadowedLights[kShadowSlots]; };
@@ -17,6 +18,7 @@ layout(binding = 11) uniform sampler2DArray shadowMap1;
 layout(binding = 12) uniform sampler2DArray shadowMap2;
 layout(binding = 13) uniform sampler2DArray shadowMap3;
 layout(binding = 14, scalar) readonly buffer Lights { LightBlock lights[]; };
+layout(binding = 15) uniform sampler2DArray cookies;
 
 layout(location = 0) out vec4 outColor;
 

@@ -106,6 +106,41 @@ TEST_F(Effect, aPerLightPassReadsItsLightsMomentShadowMap) {
   EXPECT_EQ(bytes, effect_->memoryBytes()) << "the engine's map is not the plugin's memory";
 }
 
+TEST_F(Effect, aPerLightPassReadsItsLightsCookie) {
+  load(kPasses);
+  offerCookies();
+  addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);
+  addLight(LightKind::kSpot, glm::vec3(1), 1, 0);
+  addLight(LightKind::kPoint, glm::vec3(1), 1, 0);
+  const auto cookie = [](std::uint32_t layer, std::uint32_t faces, std::uint32_t repeats, float x) {
+    return [=](render::ShadowedLight light) {
+      light.cookieLayer = layer, light.cookieFaces = faces, light.cookieRepeats = repeats;
+      light.cookieFromWorld[3][0] = x;
+      return light;
+    };
+  };
+  cookieRefs_ = {cookie(0, 0, 0, 0), cookie(2, 1, 3, 0.5f), cookie(1, 6, 0, 0.25f)};
+  ASSERT_TRUE(table_.setAssignment("passes.cookies=1"));
+  const Picture picture = frame();
+  ASSERT_FALSE(picture.empty) << effect_->failure()->message;
+  // Weights of three lights; faces and repeats as layout() and prepare() saw them; a white texel twice; layer 2 and the
+  // last of layers 1 to 6, each between mips 1 and 2, and at the border halfway between the first and the last column.
+  const float told = 11 + 3 + 0.5f + 66 + 0.25f;
+  EXPECT_EQ(picture.at(0, 0).r, 1 + 3 + told + 2 + (215 + 700) + (615 + 1100));
+  EXPECT_EQ(frame().at(0, 0).g, 2);
+  cookieRefs_[0] = cookie(0, 1, 3, 0);
+  EXPECT_EQ(frame().at(0, 0).g, 1) << "a light that gets a cookie is a new layout";
+}
+
+TEST_F(Effect, aRendererWithoutCookiesSaysSo) {
+  load(kPasses);
+  addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);
+  ASSERT_TRUE(table_.setAssignment("passes.cookies=1"));
+  EXPECT_TRUE(frame().empty);
+  ASSERT_TRUE(effect_->failure());
+  EXPECT_THAT(effect_->failure()->message, testing::HasSubstr("this renderer does not offer"));
+}
+
 TEST_F(Effect, aChangeOfTheMomentsFormatIsANewLayout) {
   load(kPasses);
   addLight(LightKind::kDirectional, glm::vec3(1), 1, 0);

@@ -46,6 +46,8 @@ class FrameFixture : public testing::Test {
     }
     shadowMaps_.clear();
     momentMaps_.clear();
+    cookies_ = {};
+    white_ = {};
     depth_ = {};
     timestamps_ = {};
     memory_.reset();
@@ -86,6 +88,32 @@ class FrameFixture : public testing::Test {
         EXPECT_TRUE(device_->upload(*image, std::as_bytes(std::span(texels)), mip, layer));
     }
     return image.take();
+  }
+
+  /// Cookies of 8x8 texels in seven layers: 100 times the layer plus 10 times the mip, and 1000 more in the last column of
+  /// mip 0. And one white texel.
+  void offerCookies() {
+    const auto make = [&](const char* name, std::uint32_t side, std::uint32_t layers, std::uint32_t mips) {
+      return device_
+          ->createImage({.name = name,
+                         .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                         .width = side,
+                         .height = side,
+                         .layers = layers,
+                         .mips = mips,
+                         .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT})
+          .take();
+    };
+    cookies_ = make("cookies", 8, 7, 4);
+    white_ = make("white", 1, 1, 1);
+    const std::vector<glm::vec4> one(1, glm::vec4(1));
+    EXPECT_TRUE(device_->upload(white_, std::as_bytes(std::span(one))));
+    for (std::uint32_t layer = 0; layer < 7; ++layer)
+      for (std::uint32_t mip = 0; mip < 4; ++mip) {
+        std::vector<glm::vec4> texels(64u >> (2 * mip), glm::vec4(static_cast<float>(100 * layer + 10 * mip)));
+        for (std::size_t i = 7; mip == 0 && i < 64; i += 8) texels[i] += 1000.0f;
+        EXPECT_TRUE(device_->upload(cookies_, std::as_bytes(std::span(texels)), mip, layer));
+      }
   }
 
   void load(const std::filesystem::path& library) {
@@ -133,6 +161,11 @@ class FrameFixture : public testing::Test {
                                      VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
       light.faceCount = lights_[i].light.kind == scene::LightKind::kPoint ? 6 : 1;
       light.size = 8;
+      if (cookies_) {
+        if (cookieRefs_.size() > i) light = cookieRefs_[i](light);
+        light.cookie = graph.import(light.cookieFaces ? cookies_ : white_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+                                    VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+      }
       lights.push_back(light);
     }
     const auto depth =
@@ -208,6 +241,8 @@ class FrameFixture : public testing::Test {
   gpu::Image depth_;
   std::vector<float> depths_;
   std::vector<gpu::Image> shadowMaps_, momentMaps_;
+  gpu::Image cookies_, white_;  ///< empty: cookies are not offered
+  std::vector<std::function<render::ShadowedLight(render::ShadowedLight)>> cookieRefs_;  ///< gives light i its cookie
   bool offerMoments_ = true;  ///< else the lights have none, as where the device cannot filter them
   std::vector<scene::LightView> lights_;
   std::function<void(render::PassContext&, const glm::mat4&)> drawCasters_;

@@ -258,7 +258,7 @@ TEST(LayoutRefused, bindings) {
       {"index 1; this source has only index 0", [](Given& g) { g.bindings[kFill][0].index = 1; }},
       {"unknown source 7", [](Given& g) { g.bindings[kFill][0].source = 7; }},
       {"unknown access 5", [](Given& g) { g.bindings[kFill][0].access = 5; }},
-      {"unknown sampler 5", [](Given& g) { g.bindings[kFill][0].sampler = 5; }},
+      {"unknown sampler 6", [](Given& g) { g.bindings[kFill][0].sampler = 6; }},
       {"mixes uniform", [](Given& g) { g.bindings[kFill][3].access = TY_ACCESS_SAMPLED; }},
       {"mixes uniform", [](Given& g) { g.bindings[kFill][1].access = TY_ACCESS_UNIFORM; }},
       {"samples a buffer", [](Given& g) { g.bindings[kFill][2].access = TY_ACCESS_SAMPLED; }},
@@ -371,6 +371,28 @@ TEST(Layout, aMomentShadowMapIsBoundWhole) {
       {"only index 0", [&](Given& g) { moments(g), g.bindings[kLight][0].index = 1; }},
       {"mip or layer", [&](Given& g) { moments(g), g.views[1].layer = 6; }},
       {"neither an image nor", [&](Given& g) { moments(g), g.targets[0].source = TY_SOURCE_SHADOW_MOMENTS; }},
+  });
+}
+
+TEST(Layout, aLightsCookieIsBoundWhole) {
+  const auto cookie = [](Given& g) {
+    g.context.cookies = true;
+    g.bindings[kLight][0] =
+        Given::bind(0, TY_SOURCE_LIGHT_COOKIE, 0, TY_ACCESS_SAMPLED, TY_SAMPLER_LINEAR_MIPMAP_REPEAT);
+  };
+  Given good;
+  cookie(good);
+  EXPECT_TRUE(good.check()) << good.check().error().message;
+  expectRefusals({
+      {"which this renderer does not offer", [&](Given& g) { cookie(g), g.context.cookies = false; }},
+      {"not per light", [&](Given& g) { cookie(g), g.passes[kLight].per_light = 0; }},
+      {"light's cookie; sample it", [&](Given& g) { cookie(g), g.bindings[kLight][0].access = TY_ACCESS_STORAGE_READ; }},
+      {"a part of a light's cookie", [&](Given& g) { cookie(g), g.bindings[kLight][0].base_mip = 1; }},
+      {"a part of a light's cookie", [&](Given& g) { cookie(g), g.bindings[kLight][0].layer_count = 1; }},
+      {"only index 0", [&](Given& g) { cookie(g), g.bindings[kLight][0].index = 1; }},
+      {"unknown sampler 6", [&](Given& g) { cookie(g), g.bindings[kLight][0].sampler = 6; }},
+      {"neither an image nor", [&](Given& g) { cookie(g), g.targets[0].source = TY_SOURCE_LIGHT_COOKIE; }},
+      {"its source is", [&](Given& g) { cookie(g), g.views[1].source = TY_SOURCE_LIGHT_COOKIE; }},
   });
 }
 

@@ -7,6 +7,8 @@
 // view "chain" shows. "passes.skip" is a mask of what prepare() leaves out: 1 history, 2 the second light, 4 the
 // casters. "passes.moments" 1: in the place of the shadow depth stands what per_light_moments.comp reads of the moment
 // shadow map, plus 10 times the map's TyFormat as layout() was told, which the weight of the light then includes.
+// "passes.cookies" 1: what per_light_cookie.comp reads of the light's cookie stands there; the weight then includes ten
+// times the faces that layout() was told of and what prepare() is told of the cookie.
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -25,12 +27,13 @@ struct TyInstance {
   TyCounters counters{};
   TyTunable tunable{};
   std::uint32_t momentsFormat = 0;
+  std::vector<std::uint32_t> cookies;
   TyLayout layout{};
 };
 
 namespace {
 
-enum { kWeight, kVariant, kBreak, kSkip, kMoments, kParameters };
+enum { kWeight, kVariant, kBreak, kSkip, kMoments, kCookies, kParameters };
 const char* const kVariants[] = {"auto", "one", "two"};
 const char* const kBreaks[] = {"nothing", "shader", "binding", "pass", "huge", "null", "casters", "prepare"};
 const TyHost* g_host = nullptr;
@@ -54,7 +57,8 @@ const TyParameter kTable[kParameters] = {
     parameter("passes.variant", TY_PARAMETER_ENUM, 0, 0, kVariants, 3, TY_PARAMETER_STRUCTURAL),
     parameter("passes.break", TY_PARAMETER_ENUM, 0, 0, kBreaks, 8, TY_PARAMETER_STRUCTURAL),
     parameter("passes.skip", TY_PARAMETER_INT, 0, 7, nullptr, 0, 0),
-    parameter("passes.moments", TY_PARAMETER_INT, 0, 1, nullptr, 0, TY_PARAMETER_STRUCTURAL)};
+    parameter("passes.moments", TY_PARAMETER_INT, 0, 1, nullptr, 0, TY_PARAMETER_STRUCTURAL),
+    parameter("passes.cookies", TY_PARAMETER_INT, 0, 1, nullptr, 0, TY_PARAMETER_STRUCTURAL)};
 
 TyBinding bind(std::uint32_t at, std::uint32_t source, std::uint32_t index, std::uint32_t access) {
   TyBinding b{};
@@ -140,6 +144,13 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
     light.shader = "per_light_moments.comp";
     s.bindings.back()[2] = bind(2, TY_SOURCE_SHADOW_MOMENTS, 0, TY_ACCESS_SAMPLED);
     s.bindings.back()[2].sampler = TY_SAMPLER_LINEAR_MIPMAP_CLAMP;
+  }
+  if (structure->light_cookies)
+    s.cookies.assign(structure->light_cookies, structure->light_cookies + structure->light_count);
+  if (structure->values[kCookies] != 0) {
+    light.shader = "per_light_cookie.comp";
+    s.bindings.back()[2] = bind(2, TY_SOURCE_LIGHT_COOKIE, 0, TY_ACCESS_SAMPLED);
+    s.bindings.back()[2].sampler = TY_SAMPLER_LINEAR_MIPMAP_REPEAT;
   }
   light.per_light = 1;
   light.groups[0] = (w + s.size.value - 1) / s.size.value, light.groups[1] = (h + s.size.value - 1) / s.size.value;
@@ -229,6 +240,11 @@ bool prepare(TyInstance* self, const TyFrame* frame, const TyUniformData* out) {
   for (std::uint32_t i = 0; i < frame->light_count; ++i) {
     float block[8] = {frame->lights[i].radiance[0] * static_cast<float>(frame->values[kWeight]), 0, 0, 0, 0, 0, 0, 0};
     if (frame->values[kMoments] != 0) block[0] += 10 * static_cast<float>(self->momentsFormat);
+    if (frame->values[kCookies] != 0) {
+      const TyLight& light = frame->lights[i];
+      block[0] += static_cast<float>(10 * self->cookies.at(i) + light.cookie_faces + light.cookie_repeats) +
+                  light.cookie_from_world[12];
+    }
     std::memcpy(out->data[0] + std::size_t{i} * out->stride[0], block, sizeof block);
   }
   const float scalars[4] = {static_cast<float>(frame->reset), 0, 0, 0};

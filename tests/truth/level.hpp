@@ -2,6 +2,7 @@
 // projection matrix turned round.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>

@@ -1,6 +1,7 @@
 // All lights' contribution to a surface. The includer declares (with these names): the uniform block's member
 // `LightBlock shadowedLights[kShadowSlots]`, the storage buffer's `LightBlock lights[]`, the specialization constant
-// SHADOW_SLOTS (0 to kShadowSlots) and SHADOW_MAPS, the samplers shadowMap0..3 and `ViewBlock view`.
+// SHADOW_SLOTS (0 to kShadowSlots), SHADOW_MAPS and COOKIES (some light has one), the samplers shadowMap0..3 and cookies, and
+// `ViewBlock view`.
 // Light i of shadowedLights has the map shadowMap<i>: depths, or moments (SHADOW_MAPS, engine/include/moment_shadow.glsl). Slots are written out instead of looped over: samplers cannot be
 // indexed
 // (descriptor indexing is missing on software devices), and constant indices into a uniform block are the fastest
@@ -10,6 +11,7 @@
 #include "engine/include/brdf.glsl"
 #include "engine/include/moment_shadow.glsl"
 #include "engine/include/shadow.glsl"
+#include "engine/include/cookie.glsl"
 
 vec3 directionTo(LightCore light, vec3 position) {
   return light.kind == kLightDirectional ? -light.direction : normalize(light.position - position);
@@ -45,19 +47,25 @@ vec3 irradianceFrom(LightCore light, vec3 position) {
     } else {                                                                                   \
       lit = momentFilter(shadowMap##i, i, s.position, s.normal, l);                            \
     }                                                                                          \
-    sum += irradianceFrom(shadowedLights[i].core, s.position) * lit * reflectPunctual(s, l);   \
+    vec3 arriving = irradianceFrom(shadowedLights[i].core, s.position);                        \
+    if (COOKIES && shadowedLights[i].cookie.faces != 0u)                                       \
+      arriving *= cookieColor(shadowedLights[i].cookie, s.position, footprint);                \
+    sum += arriving * lit * reflectPunctual(s, l);                                             \
   }
 
 // Lights of the slots, and `count` unshadowed ones from lights[first] on.
 vec3 reflectLights(Surface s, uint first, uint count) {
   vec3 sum = vec3(0.0);
+  mat2x3 footprint = COOKIES ? pixelFootprint(s.position, s.normal) : mat2x3(0.0);
   TY_SHADOW_SLOT(0)
   TY_SHADOW_SLOT(1)
   TY_SHADOW_SLOT(2)
   TY_SHADOW_SLOT(3)
   for (uint i = first; i < first + count; ++i) {
     LightCore light = lights[i].core;
-    sum += irradianceFrom(light, s.position) * reflectPunctual(s, directionTo(light, s.position));
+    vec3 arriving = irradianceFrom(light, s.position);
+    if (COOKIES && lights[i].cookie.faces != 0u) arriving *= cookieColor(lights[i].cookie, s.position, footprint);
+    sum += arriving * reflectPunctual(s, directionTo(light, s.position));
   }
   return sum;
 }

@@ -90,6 +90,8 @@ TEST(SharedLayout, Light) {
                                                              TY_MEMBER(LightBlock, shadowSize),
                                                              TY_MEMBER(LightBlock, depthCurve),
                                                              TY_MEMBER(LightBlock, clipFromWorld),
+                                                             TY_MEMBER(LightBlock, cookie),
+                                                             TY_MEMBER(LightBlock, unused),
                                                              {"sizeof", sizeof(shared::LightBlock)}}));
 }
 

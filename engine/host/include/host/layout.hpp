@@ -75,6 +75,7 @@ struct LayoutContext {
   std::uint32_t valueCount = 0;
   std::vector<bool> structural;  ///< of each parameter
   std::uint32_t shadowMoments = TY_FORMAT_UNKNOWN;  ///< TyFormat of the lights' moment shadow maps
+  bool cookies = false;                             ///< the renderer offers the lights' cookies
 };
 
 /// Every rule of the ABI that can be checked without a GPU; the first broken one is the error ("pass 'march': ...").

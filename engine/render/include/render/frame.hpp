@@ -41,6 +41,13 @@ struct ShadowedLight {
   std::uint32_t size = 0;                   ///< texels a side
   std::array<glm::mat4, 6> clipFromWorld{}; ///< of each face
   std::array<glm::vec3, 8> casterCorners{}; ///< corners of the box of all casters, world space
+  /// The image that the light shines through: layers [cookieLayer, cookieLayer + cookieFaces) of an array that all lights
+  /// share, linear colours with all mips; a white texel (layer 0) for a light without. Empty: nothing of this is offered.
+  ImageRef cookie;
+  std::uint32_t cookieLayer = 0;
+  std::uint32_t cookieFaces = 0;            ///< 0: none; 1, or the 6 of a point light
+  std::uint32_t cookieRepeats = 0;          ///< bit 0 along x, bit 1 along y; else the image's border goes on
+  glm::mat4 cookieFromWorld{1};             ///< TyLight.cookie_from_world
 };
 
 /// What an effect (the plugin host) is given while the graph is built.

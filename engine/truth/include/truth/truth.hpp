@@ -43,7 +43,7 @@ struct Picture {
 /// Renders the in-scattered radiance seen from `camera`. Opaque and MASK surfaces (alpha of the full-resolution
 /// base-colour texture, bilinear unless its sampler magnifies with kNearest, against the cutoff) end rays and cast
 /// shadows; BLEND surfaces do neither. Back faces of single-sided materials: not seen by view rays, but they cast
-/// shadows. Directional, spot and point lights.
+/// shadows. Directional, spot and point lights, with their cookies from the full-resolution image.
 Result<Picture> render(const scene::Scene& scene, const scene::CameraView& camera,
                        const std::vector<scene::LightView>& lights, const Settings& settings);
 

@@ -20,7 +20,8 @@
  * - Errors: a function returns false (or null) after one log line through TyHost.log; it never throws, aborts or exits.
  * - Strings: UTF-8, zero-terminated, never null unless stated.
  * - New in 1.1: TyUniformData.skip; a pass may sample and store to different parts of one image (TyBinding);
- *   TY_SOURCE_SHADOW_MOMENTS and TyStructure.shadow_moments_format.
+ *   TY_SOURCE_SHADOW_MOMENTS and TyStructure.shadow_moments_format; images that lights shine through (TyStructure.light_cookies,
+ *   TyLight.cookie_*, TY_SOURCE_LIGHT_COOKIE) and TY_SAMPLER_LINEAR_MIPMAP_REPEAT.
  * - Units: metres, radians, seconds; linear colour; matrices column-major, named result_from_source; view space looks
  *   down -Z, +Y up; clip space is Vulkan's (x right, y down, z in [0, 1]); depth of the scene is reversed (1 at the
  *   near plane, 0 at the far plane or where nothing was drawn).
@@ -120,6 +121,9 @@ typedef struct TyStructure {
   /* Since 1.1: TyFormat of TY_SOURCE_SHADOW_MOMENTS, RGBA16 unorm (quantised, see there) or RGBA32 float; TY_FORMAT_UNKNOWN:
    * the host makes no such maps, and a layout that binds one is refused. */
   uint32_t shadow_moments_format;
+  /* Since 1.1: layers of each light's TY_SOURCE_LIGHT_COOKIE that hold an image: 0 (the light has none), 1, or 6 for a point
+   * light. Null: the host knows no cookies, and a layout that binds one is refused. */
+  const uint32_t* light_cookies;
 } TyStructure;
 
 /* -------------------------------------------------------------------------------------------------- layout ---- */
@@ -182,7 +186,12 @@ typedef enum TySource {
    * z in [-1, 1] is 2d - 1 for a directional light's stored depth d, and grows linearly with the distance along the face's
    * axis, -1 at depth 0 and 1 at depth 1, for others. RGBA16 unorm holds them after the quantisation transform of Peters et
    * al. 2017, equation 3. It is made only in frames in which a pass that counts reads it. */
-  TY_SOURCE_SHADOW_MOMENTS = 6
+  TY_SOURCE_SHADOW_MOMENTS = 6,
+  /* Since 1.1, per-light passes only: the image whose colour multiplies the light's (a cookie, a gobo), a 2D array of square
+   * layers with all mips, for TY_ACCESS_SAMPLED of the whole: one layer, or six faces +X -X +Y -Y +Z -Z for a point light; one
+   * white texel in one layer for a light without (cookie_faces 0). RGB is linear: no decoding. Where to look:
+   * TyLight.cookie_from_world. Which size it has the shader asks (textureSize): it may change without a new layout. */
+  TY_SOURCE_LIGHT_COOKIE = 7
 } TySource;
 
 typedef enum TyAccess {
@@ -195,7 +204,8 @@ typedef enum TyAccess {
 
 typedef enum TySampler {
   TY_SAMPLER_NEAREST_CLAMP = 0, TY_SAMPLER_LINEAR_CLAMP = 1, TY_SAMPLER_NEAREST_REPEAT = 2, TY_SAMPLER_LINEAR_REPEAT = 3,
-  TY_SAMPLER_LINEAR_MIPMAP_CLAMP = 4
+  TY_SAMPLER_LINEAR_MIPMAP_CLAMP = 4,
+  TY_SAMPLER_LINEAR_MIPMAP_REPEAT = 5 /* since 1.1 */
 } TySampler;
 
 /* A pass uses each image and each buffer in one way: several sampled bindings of one image are one way, sampling it and
@@ -348,6 +358,20 @@ typedef struct TyLight {
   /* Convex hull, in world space, of all casters of this light: nothing outside the volume it sweeps away from the light is
    * shadowed. Corners of a box; the eight corners are equal when there is no caster. */
   float caster_corners[8][3];
+  /* Since 1.1: where the light's image (TY_SOURCE_LIGHT_COOKIE) is looked up for a world point, p = cookie_from_world * point.
+   * Directional and spot lights: (x, y) = p.xy / p.w go from -1 to 1 over the image, y up, so that u = 0.5 + 0.5 x and
+   * v = 0.5 - 0.5 y; w is 1 for a directional light, the distance along the axis for a spot light (at or below 0 no light
+   * goes). p.z is the distance along the light's axis in metres. Point lights: p.xyz is the vector from the light in the
+   * frame of the faces. With m the largest of |x|, |y|, |z|, face and (s, t), both over m and then from -1 to 1, are those of
+   * Vulkan's cube maps, with u = 0.5 + 0.5 s, v = 0.5 + 0.5 t:
+   *   +X (layer 0) s = -z, t = -y    -X (1) s = z, t = -y    +Y (2) s = x, t = z
+   *   -Y (3)       s = x,  t = -z    +Z (4) s = x, t = -y    -Z (5) s = -x, t = -y
+   * cookie_repeats: bit 0: the image repeats along x, bit 1: along y (directional lights only); where it does not, the border
+   * goes on (clamp u or v to half a texel from the border before looking up with a repeating sampler). Images that the level
+   * mirrors are given together with their mirror image, repeating. */
+  float cookie_from_world[16];
+  uint32_t cookie_faces;         /* 0: no image, the rest means nothing; 1; 6 for a point light */
+  uint32_t cookie_repeats;
 } TyLight;
 
 typedef struct TyFrame {
