@@ -90,8 +90,8 @@ std::uint32_t LayoutBuilder::compute(ComputePass pass) {
   made.shader = data.shader;
   made.bindings = data.bindings.data();
   made.binding_count = static_cast<std::uint32_t>(data.bindings.size());
-  made.per_light = data.perDirectionalLight ? 1 : 0;
-  made.light_kinds = data.perDirectionalLight ? 1u << TY_LIGHT_DIRECTIONAL : 0;
+  made.per_light = data.lightKinds != 0 ? 1 : 0;
+  made.light_kinds = data.lightKinds;
   made.groups[0] = data.groupsX;
   made.groups[1] = data.groupsY;
   made.groups[2] = data.groupsZ;
@@ -100,7 +100,9 @@ std::uint32_t LayoutBuilder::compute(ComputePass pass) {
   made.indirect_buffer = TY_NONE;
   made.caster_uniform = TY_NONE;
   passes_.push_back(made);
-  return static_cast<std::uint32_t>(passes_.size() - 1);
+  const auto index = static_cast<std::uint32_t>(passes_.size() - 1);
+  if ((data.lightKinds & kLocalLights) != 0) roles_.localPasses.push_back(index);
+  return index;
 }
 
 std::uint32_t LayoutBuilder::casters(std::string name, std::uint32_t image, std::uint32_t layer, std::uint32_t uniformBlock) {

@@ -24,12 +24,15 @@ TyBinding bufferAt(std::uint32_t binding, std::uint32_t buffer, TyAccess access)
 /// The same binding for one mip of its image.
 TyBinding mipOf(TyBinding binding, std::uint32_t mip);
 
+/// Kinds of light that a pass runs for, as bits of TyLightKind.
+constexpr std::uint32_t kSuns = 1u << TY_LIGHT_DIRECTIONAL, kLocalLights = 1u << TY_LIGHT_SPOT | 1u << TY_LIGHT_POINT;
+
 struct ComputePass {
   std::string name;
   const char* shader;
   std::vector<TyBinding> bindings;
   std::uint32_t groupsX = 1, groupsY = 1, groupsZ = 1;
-  bool perDirectionalLight = false;
+  std::uint32_t lightKinds = 0;  ///< run once for each light of these kinds; 0: once
   std::vector<TySpecialization> specializations;
 };
 

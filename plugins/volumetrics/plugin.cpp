@@ -55,13 +55,12 @@ const TyTechnique* listTechniques(std::uint32_t* count, std::uint32_t* selector)
 TyInstance* create() { return std::make_unique<TyInstance>().release(); }
 void destroy(TyInstance* instance) { const std::unique_ptr<TyInstance> owned(instance); }
 
-/// Says once per change how many lights the techniques built so far cannot scatter, instead of leaving them out in silence.
-void reportLocalLights(TyInstance& instance, const TyStructure& structure, std::uint32_t suns) {
-  const std::uint32_t local = structure.light_count - suns;
-  if (local > instance.localLightsReported)
-    say(TY_LOG_WARNING, std::to_string(local) + " spot or point light(s) light surfaces but scatter nothing yet: only "
-                        "directional lights do");
-  instance.localLightsReported = local;
+/// Says once per change how many lights the chosen technique cannot scatter, instead of leaving them out in silence.
+void reportLocalLights(TyInstance& instance, std::uint32_t leftOut) {
+  if (leftOut > instance.localLightsReported)
+    say(TY_LOG_WARNING, std::to_string(leftOut) + " spot or point light(s) light surfaces but scatter nothing with volumetrics.technique=" +
+                            instance.technique->id + ": only directional lights do");
+  instance.localLightsReported = leftOut;
 }
 
 const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStructure* structure) try {
@@ -81,7 +80,7 @@ const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStr
       say(TY_LOG_ERROR, std::string("volumetrics.technique: '") + name + "' is not built yet");
       return nullptr;
     }
-    reportLocalLights(*instance, *structure, context.directionalLights);
+    reportLocalLights(*instance, instance->technique->localLights ? 0 : context.localLights());
     instance->technique->layout(context, instance->builder);
   }
   const bool missing = instance->builder.roles().momentsMissing;

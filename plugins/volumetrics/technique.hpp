@@ -22,6 +22,8 @@ struct LayoutRoles {
   std::uint32_t casterPass = TY_NONE;    ///< first of the passes that rasterise projective maps, skipped in other frames
   std::uint32_t casterBlock = TY_NONE;   ///< first of their uniform blocks, one mat4 each
   std::uint32_t splits = 0;              ///< how many of both
+  std::vector<std::uint32_t> localPasses;  ///< those that run for spot or point lights
+  std::uint32_t standInClear = TY_NONE;  ///< clears the result in frames in which the only light, a local one, reaches no view ray
   bool momentsMissing = false;           ///< filtered resampling was asked for, but the host makes no moment shadow maps
 };
 
@@ -54,6 +56,7 @@ struct LayoutContext {
   const TyStructure& structure;
   Settings settings;
   std::uint32_t directionalLights = 0;
+  std::uint32_t localLights() const { return structure.light_count - directionalLights; }  ///< spot and point lights
   std::uint32_t shadowMoments = TY_FORMAT_UNKNOWN;  ///< TyFormat of the host's moment shadow maps
 };
 
@@ -64,6 +67,7 @@ struct Technique {
   std::span<const char* const> reads;
   void (*layout)(const LayoutContext& context, LayoutBuilder& builder);
   void (*prepare)(const FrameContext& context);
+  bool localLights = false;              ///< spot and point lights scatter too
 };
 
 }  // namespace volumetrics

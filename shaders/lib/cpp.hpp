@@ -28,6 +28,7 @@ namespace f32 {
 #include "lib/moments.glsl"
 #include "lib/fourier.glsl"
 #include "lib/average.glsl"
+#include "lib/local_light.glsl"
 }  // namespace f32
 namespace f64 {
 #include "lib/medium.glsl"
@@ -35,6 +36,7 @@ namespace f64 {
 #include "lib/moments.glsl"
 #include "lib/fourier.glsl"
 #include "lib/average.glsl"
+#include "lib/local_light.glsl"
 }  // namespace f64
 namespace f80 {
 #include "lib/medium.glsl"
@@ -42,6 +44,7 @@ namespace f80 {
 #include "lib/moments.glsl"
 #include "lib/fourier.glsl"
 #include "lib/average.glsl"
+#include "lib/local_light.glsl"
 }  // namespace f80
 }  // namespace tyndall::lib
 

@@ -56,7 +56,7 @@ void Laboratory::turn(double degrees) {
 Shot Laboratory::frame() {
   render::Graph graph(session_->device(), session_->graphMemory());
   const render::FrameOutput output = must(session_->buildFrame(graph, request_));
-  must(readback_.addPasses(*session_, graph, output, request_, {false, true, false}));
+  must(readback_.addPasses(*session_, graph, output, request_, {!request_.debugView.empty(), true, false}));
   must(session_->submitFrame(graph));
   must(session_->finishFrames());
   if (session_->effect().failure()) throw std::runtime_error(session_->effect().failure()->message);
@@ -68,6 +68,13 @@ Shot Laboratory::shoot(const Settings& settings) {
   for (const std::string& setting : settings) must(session_->table().setAssignment(setting));
   frame();
   return frame();
+}
+
+image::ByteImage Laboratory::look(const Settings& settings, const std::string& view) {
+  request_.debugView = view;
+  shoot(settings);
+  request_.debugView.clear();
+  return readback_.picture();
 }
 
 std::vector<Shot> Laboratory::again(int frames) {

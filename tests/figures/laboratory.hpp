@@ -30,6 +30,8 @@ class Laboratory {
 
   /// Defaults, then `settings`; two frames, the second is kept (the first compiles).
   Shot shoot(const Settings& settings);
+  /// A debug view by name with defaults and `settings`.
+  image::ByteImage look(const Settings& settings, const std::string& view);
   /// `frames` more of the present settings, times only.
   std::vector<Shot> again(int frames);
   /// Ray-traced, `samples` shadow rays a view ray; kept in the cache folder of the build, since it costs minutes.

@@ -28,6 +28,25 @@ struct SunBlock {
   float shadowSize;   // texels a side
 };
 
+// Numbers of TyLightKind that shaders tell apart.
+const uint kLocalSpot = 1u;
+const uint kLocalPoint = 2u;
+
+// A spot or point light with its shadow map (KHR_lights_punctual). Clip space of face i of the map is shadow[i] * (point - eye, 1); faces
+// of a point light are +X -X +Y -Y +Z -Z.
+struct LocalBlock {
+  vec3 position;      // of the light minus the eye, world axes, m
+  vec3 intensity;     // cd
+  vec3 axis;          // spot: unit, the way the light travels
+  float range;        // m; 0: unlimited
+  float cosOuter;     // spot: cosine of the outer cone's half angle, above 0
+  float coneScale, coneOffset;  // the extension's lightAngleScale and lightAngleOffset; 0 and 1 for a point light
+  uint kind;          // kLocal...
+  float shadowSize;   // texels a side
+  float texelAngle;   // angle of the map's smallest texel as the light sees it, rad
+  mat4 shadow[6];
+};
+
 const uint kMaxPolygon = 24u;
 const uint kMaxBorderEdges = 5u;
 const uint kMaxSplits = 4u;

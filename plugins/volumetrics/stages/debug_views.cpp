@@ -4,23 +4,30 @@
 
 namespace volumetrics {
 
-void addDifferenceView(const LayoutContext& context, LayoutBuilder& builder, std::uint32_t frameBlock, std::uint32_t sunBlock) {
+void addDifferenceView(const LayoutContext& context, LayoutBuilder& builder, std::uint32_t frameBlock, std::uint32_t sunBlock,
+                       std::uint32_t localBlock) {
   const std::uint32_t width = context.structure.width, height = context.structure.height;
   const std::uint32_t dense = builder.image("dense march", TY_FORMAT_RGBA32_FLOAT, width, height);
   const std::uint32_t difference = builder.image("difference", TY_FORMAT_RGBA32_FLOAT, width, height);
-  const bool add = context.directionalLights != 1;
+  const bool local = localBlock != TY_NONE && context.localLights() > 0;
+  const bool add = context.directionalLights != 1 || local;
   if (add)
     builder.compute({"debug clear", "clear.comp", {uniformAt(0, frameBlock), sceneDepthAt(1), storageAt(2, dense)},
-                     groups8(width), groups8(height), 1, false, {}});
+                     groups8(width), groups8(height), 1, 0, {}});
   if (context.directionalLights > 0)
     builder.compute({"debug dense march", "debug_march.comp",
                      {uniformAt(0, frameBlock), uniformAt(1, sunBlock), sceneDepthAt(2), shadowMapAt(3),
                       storageAt(4, dense, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE)},
-                     groups8(width), groups8(height), 1, true, {{0, add ? 0u : 1u}}});
+                     groups8(width), groups8(height), 1, kSuns, {{0, add ? 0u : 1u}}});
+  if (local)
+    builder.compute({"debug dense march local", "debug_march_local.comp",
+                     {uniformAt(0, frameBlock), uniformAt(1, localBlock), sceneDepthAt(2), shadowMapAt(3),
+                      storageAt(4, dense, TY_ACCESS_STORAGE_READ_WRITE)},
+                     groups8(width), groups8(height), 1, kLocalLights, {}});
   builder.compute({"debug difference", "debug_difference.comp",
                    {outputAt(0, TY_ACCESS_SAMPLED), sampledAt(1, dense), storageAt(2, difference)},
-                   groups8(width), groups8(height), 1, false, {}});
-  builder.debugView("dense_march", "Dense march of every sun through its shadow map, RGB radiance", TY_SOURCE_IMAGE, dense, 0, 4, 0.0f, 1.0f);
+                   groups8(width), groups8(height), 1, 0, {}});
+  builder.debugView("dense_march", "Dense march of every light through its shadow map, RGB radiance", TY_SOURCE_IMAGE, dense, 0, 4, 0.0f, 1.0f);
   builder.debugView("difference", "Absolute difference to the dense march, RGB radiance, ten times as bright", TY_SOURCE_IMAGE,
                     difference, 0, 4, 0.0f, 0.1f);
 }

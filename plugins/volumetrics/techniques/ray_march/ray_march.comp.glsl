@@ -1,6 +1,6 @@
 // One march per pixel through a sun's shadow map: the plain reference.
 // Inputs: scene depth (D32, reversed), shadow map (D32 array, layer 0). Output: RGBA32F, RGB in-scattered radiance (added to what
-// the suns before have scattered), A transmittance to the surface.
+// the lights before have scattered), A transmittance to the surface.
 // Equation: sigma_s int_0^s exp(-sigma_t t) p V E dt (Toth and Umenhoffer 2009 for the march; Klehm et al. 2014, equation 1).
 // Deviation that makes the march its best self: stages/march.glsl.
 #version 460
@@ -10,27 +10,16 @@
 #include "lib/medium.glsl"
 #include "techniques/ray_march/ray_march_blocks.h"
 #include "stages/rays.glsl"
+#include "stages/noise.glsl"
 #include "stages/march.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 0) const bool kFirstLight = true;  // the only sun: writes instead of adding
+layout(constant_id = 0) const bool kFirstLight = true;  // the only light: writes instead of adding
 layout(binding = 0, scalar) uniform Frame { RayMarchBlock frame; };
 layout(binding = 1, scalar) uniform Light { SunBlock sun; };
 layout(binding = 2) uniform sampler2D sceneDepth;
 layout(binding = 3) uniform sampler2DArray shadowMap;
 layout(binding = 4, rgba32f) uniform image2D scatter;
-
-const int kJitterWhite = 1;
-const int kSpacingTransmittance = 1;
-
-// PCG hash (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering"): white noise in [0, 1).
-float whiteNoise(uvec3 v) {
-  v = v * 1664525u + 1013904223u;
-  v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
-  v ^= v >> 16u;
-  v.x += v.y * v.z;
-  return float(v.x >> 8) * (1.0 / 16777216.0);
-}
 
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;

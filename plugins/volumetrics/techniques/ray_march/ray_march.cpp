@@ -4,6 +4,7 @@
 #include "geometry/camera_rays.hpp"
 #include "layout_builder.hpp"
 #include "stages/debug_views.hpp"
+#include "stages/local_lights.hpp"
 #include "stages/suns.hpp"
 #include "technique.hpp"
 #include "techniques/ray_march/ray_march_blocks.h"
@@ -11,19 +12,28 @@
 namespace volumetrics {
 namespace {
 
+constexpr std::uint32_t kLocalBlock = 2;
+
 constexpr std::array kReads = {"volumetrics.enabled", "volumetrics.technique", "volumetrics.placement", "volumetrics.steps",
                                "volumetrics.jitter", "volumetrics.march_spacing", "medium.sigma_t", "medium.albedo", "medium.g"};
 
 void layout(const LayoutContext& context, LayoutBuilder& builder) {
   builder.uniform("frame", sizeof(RayMarchBlock), false);
   builder.uniform("sun", sizeof(SunBlock), true);
-  const bool add = beginSuns(context, builder, kFrameBlock);
-  if (context.directionalLights == 0) return;
-  builder.compute({"march", "ray_march.comp",
-                   {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), sceneDepthAt(2), shadowMapAt(3),
-                    outputAt(4, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE)},
-                   groups8(context.structure.width), groups8(context.structure.height), 1, true, {{0, add ? 0u : 1u}}});
-  addDifferenceView(context, builder, kFrameBlock, kSunBlock);
+  builder.uniform("local light", sizeof(LocalBlock), true);
+  const bool add = beginLights(context, builder, kFrameBlock);
+  const std::uint32_t x = groups8(context.structure.width), y = groups8(context.structure.height);
+  if (context.directionalLights > 0)
+    builder.compute({"march", "ray_march.comp",
+                     {uniformAt(0, kFrameBlock), uniformAt(1, kSunBlock), sceneDepthAt(2), shadowMapAt(3),
+                      outputAt(4, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE)},
+                     x, y, 1, kSuns, {{0, add ? 0u : 1u}}});
+  if (context.localLights() > 0)
+    builder.compute({"march local", "ray_march_local.comp",
+                     {uniformAt(0, kFrameBlock), uniformAt(1, kLocalBlock), sceneDepthAt(2), shadowMapAt(3),
+                      outputAt(4, TY_ACCESS_STORAGE_READ_WRITE)},
+                     x, y, 1, kLocalLights, {{0, add ? 0u : 1u}}});
+  if (context.structure.light_count > 0) addDifferenceView(context, builder, kFrameBlock, kSunBlock, kLocalBlock);
 }
 
 void prepare(const FrameContext& context) {
@@ -35,10 +45,11 @@ void prepare(const FrameContext& context) {
   for (std::uint32_t i = 0; i < context.frame.light_count; ++i)
     if (context.frame.lights[i].kind == TY_LIGHT_DIRECTIONAL)
       context.block<SunBlock>(kSunBlock, i) = sunBlock(context.frame.lights[i], frame.rays.eye);
+  prepareLocalLights(context, kLocalBlock, frame.rays);
 }
 
 constexpr std::array kTechniques = {
-    Technique{"ray_march", "Ray march", "One march per pixel through the shadow map: the plain reference.", kReads, layout, prepare}};
+    Technique{"ray_march", "Ray march", "One march per pixel and light through its shadow map: the plain reference.", kReads, layout, prepare, true}};
 
 }  // namespace
 

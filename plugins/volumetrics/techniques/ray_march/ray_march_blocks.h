@@ -5,6 +5,10 @@
 #include "techniques/ray_march/ray_march.params.h"
 TY_SHARED_BEGIN
 
+// Choices of jitter and march_spacing.
+const int kJitterWhite = 1;
+const int kSpacingTransmittance = 1;
+
 struct RayMarchParams {
   TY_FIELDS(TY_RAY_MARCH_PARAMS)
 };
