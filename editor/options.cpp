@@ -1,5 +1,6 @@
 #include "options.hpp"
 
+#include <algorithm>
 #include <functional>
 
 #include "app/level.hpp"
@@ -50,7 +51,7 @@ Error unknownOption(const std::string& name) {
 
 const char* helpText() {
   return "usage: tyndall-editor [LEVEL] [option...]\n"
-         "  LEVEL                a sample's name (see: tyndall levels) or a path to a .gltf or .glb file [the first sample]\n"
+         "  LEVEL                a sample's name (see: tyndall levels) or a path to a .gltf or .glb file [hall, else the first sample]\n"
          "  --camera N           which of the file's perspective cameras, in node order [0]\n"
          "  --size WxH           size of the window in pixels [1280x720]\n"
          "  --time SECONDS       time of the level's animations at the start [0]\n"
@@ -97,7 +98,9 @@ Result<Options> readOptions(int argc, const char* const* argv) {
   if (options.level.empty()) {
     const std::vector<std::string> samples = app::sampleLevels();
     if (samples.empty()) return badCall("LEVEL is missing and there are no sample levels; a path to a .gltf or .glb file is needed");
-    options.level = samples.front();
+    // Every technique has something to show in the hall, but not in a room that only lamps light.
+    const bool hall = std::find(samples.begin(), samples.end(), "hall") != samples.end();
+    options.level = hall ? "hall" : samples.front();
   }
   return options;
 }

@@ -14,7 +14,7 @@
 namespace tyndall::editor {
 
 struct Options {
-  std::string level;                                     ///< "" = the first sample level
+  std::string level;                                     ///< "" = the hall, else the first sample level
   std::uint32_t camera = 0;
   std::pair<std::uint32_t, std::uint32_t> size{1280, 720};  ///< of the window
   std::vector<std::string> assignments;                  ///< "id=value"

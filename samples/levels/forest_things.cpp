@@ -5,31 +5,13 @@
 
 #include "forest_parts.hpp"
 #include "forest_textures.hpp"
+#include "props.hpp"
 #include "shapes.hpp"
 
 namespace tyndall::levels::forest {
 namespace {
 
 glm::vec3 onGround(const glm::vec2& p) { return {p.x, groundY(p.x, p.y), p.y}; }
-
-/// A stone: the body cut from a ball by random planes, the edges slightly rounded by its cells.
-std::int32_t rockMesh(LevelBuilder& level, const Materials& m, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<glm::vec4> planes;
-  for (int i = 0; i < 17; ++i) planes.emplace_back(random.direction(), random.range(0.66f, 1.0f));
-  const glm::vec3 stretch{random.range(0.9f, 1.3f), random.range(0.55f, 0.8f), random.range(0.8f, 1.1f)};
-  MeshBuilder stone;
-  surface(stone, 16, 10, {6, 3}, [&](float u, float v) {
-    const float angle = 2.0f * glm::pi<float>() * u,
-                tilt = glm::mix(0.012f, glm::pi<float>() - 0.012f, v);  // no pole: it has no normal
-    const glm::vec3 d{glm::cos(angle) * glm::sin(tilt), -glm::cos(tilt), -glm::sin(angle) * glm::sin(tilt)};
-    float sum = 0;  // smooth minimum: eighth-power mean of the planes' inverse distances
-    for (const glm::vec4& plane : planes)
-      sum += glm::pow(glm::max(0.0f, glm::dot(d, glm::vec3(plane))) / plane.w, 8.0f);
-    return d * glm::pow(sum + 0.2f, -0.125f) * stretch;
-  });
-  return level.mesh("rock", {stone.finish(m.rock, kRockTile)});
-}
 
 }  // namespace
 
@@ -74,7 +56,8 @@ std::vector<Place> addTrees(LevelBuilder& level, const Materials& m) {
 }
 
 void addRocks(LevelBuilder& level, const Materials& m) {
-  const std::int32_t rocks[] = {rockMesh(level, m, 61), rockMesh(level, m, 62), rockMesh(level, m, 63)};
+  const Coat coat{m.rock, kRockTile};
+  const std::int32_t rocks[] = {rockMesh(level, coat, 61), rockMesh(level, coat, 62), rockMesh(level, coat, 63)};
   Random random(606);
   const auto put = [&](const glm::vec2& p, float scale, int kind) {
     level.node("rock", rocks[kind], onGround(p) - glm::vec3(0, 0.22f * scale, 0), random.range(0, 6), scale);

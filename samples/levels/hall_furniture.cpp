@@ -5,6 +5,7 @@
 
 #include "hall_parts.hpp"
 #include "hall_textures.hpp"
+#include "props.hpp"
 #include "shapes.hpp"
 
 namespace tyndall::levels::hall {
@@ -59,55 +60,6 @@ std::int32_t benchMesh(LevelBuilder& level, const Materials& m) {
   return level.mesh("bench", {wood.finish(m.timber, kWoodTile)});
 }
 
-std::int32_t crateMesh(LevelBuilder& level, const Materials& m) {
-  MeshBuilder boards, wood;
-  const float h = 0.45f, t = 0.05f;
-  chamferBox(boards, {-h + t, 0.02f, -h + t}, {h - t, 2 * h - 0.02f, h - t}, 0.0f);
-  for (const float a : {-1.0f, 1.0f}) {
-    for (const float c : {-1.0f, 1.0f}) {  // the twelve edges
-      const float p = a * (h - t), q = c * (h - t);
-      chamferBox(wood, {p - t, 0, q - t}, {p + t, 2 * h, q + t}, 0.012f);
-      chamferBox(wood, {-h + t, h + q - t, p - t}, {h - t, h + q + t, p + t}, 0.012f);
-      chamferBox(wood, {p - t, h + q - t, -h + t}, {p + t, h + q + t, h - t}, 0.012f);
-    }
-    beam(wood, {-h + t, 0.08f, a * (h - 0.02f)}, {h - t, 2 * h - 0.08f, a * (h - 0.02f)}, 0.04f, 0.12f, 0.01f);
-  }
-  return level.mesh("crate", {boards.finish(m.planks, kWoodTile), wood.finish(m.timber, kWoodTile)});
-}
-
-std::int32_t barrelMesh(LevelBuilder& level, const Materials& m) {
-  MeshBuilder staves, iron;
-  lathe(staves,
-        {{0.05f, 0.03f},
-         {0.29f, 0.03f},
-         {0.29f, 0.03f},
-         {0.30f, 0},
-         {0.30f, 0},
-         {0.345f, 0.2f},
-         {0.37f, 0.46f},
-         {0.345f, 0.72f},
-         {0.30f, 0.92f},
-         {0.30f, 0.92f},
-         {0.28f, 0.92f},
-         {0.28f, 0.92f},
-         {0.28f, 0.89f},
-         {0.28f, 0.89f},
-         {0.01f, 0.89f}},
-        20);
-  for (const auto& [y, r] :
-       {std::pair{0.08f, 0.322f}, std::pair{0.26f, 0.358f}, std::pair{0.63f, 0.362f}, std::pair{0.81f, 0.328f}}) {
-    lathe(iron,
-          {{r - 0.012f, y},
-           {r + 0.004f, y},
-           {r + 0.004f, y},
-           {r + 0.004f, y + 0.045f},
-           {r + 0.004f, y + 0.045f},
-           {r - 0.012f, y + 0.045f}},
-          20);
-  }
-  return level.mesh("barrel", {staves.finish(m.timber, 0.5f * kWoodTile), iron.finish(m.iron)});
-}
-
 std::int32_t throneMesh(LevelBuilder& level, const Materials& m) {
   MeshBuilder wood, metal, cloth;
   chamferBox(wood, {-0.42f, 0.38f, -0.4f}, {0.42f, 0.5f, 0.35f}, 0.03f);
@@ -138,7 +90,8 @@ void addFurniture(LevelBuilder& level, const Materials& m) {
         level.node("bench", bench, {x + to + random.range(-0.05f, 0.05f), 0, z}, random.range(-0.03f, 0.03f));
     }
   }
-  const std::int32_t crate = crateMesh(level, m), barrel = barrelMesh(level, m);
+  const std::int32_t crate = crateMesh(level, {m.planks, kWoodTile}, {m.timber, kWoodTile}),
+                     barrel = barrelMesh(level, {m.timber, 0.5f * kWoodTile}, {m.iron, 1});
   for (const auto& [at, yaw, scale] : {std::tuple{glm::vec3(5.9f, 0, 9.2f), 0.2f, 1.0f},
                                        {glm::vec3(5.7f, 0, 10.5f), -0.35f, 1.1f},
                                        {glm::vec3(5.85f, 0.9f, 9.3f), 0.7f, 0.8f},

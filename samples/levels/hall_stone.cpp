@@ -3,6 +3,7 @@
 
 #include "hall_parts.hpp"
 #include "hall_textures.hpp"
+#include "props.hpp"
 #include "shapes.hpp"
 
 namespace tyndall::levels::hall {
@@ -15,15 +16,6 @@ std::vector<glm::vec3> arcPath(const Outline& outline, float depth, bool withJam
   if (withJambs) path.emplace_back(outline.front().x, outline.front().y, depth);
   for (const glm::vec3& p : outline) path.emplace_back(p.x, p.z, depth);
   if (withJambs) path.emplace_back(outline.back().x, outline.back().y, depth);
-  return path;
-}
-
-std::vector<glm::vec3> ringPath(float radius, const glm::vec2& centre, int sides, float depth) {
-  std::vector<glm::vec3> path;
-  for (int i = 0; i < sides; ++i) {
-    const float angle = 2.0f * glm::pi<float>() * real(i) / real(sides);
-    path.emplace_back(centre + radius * glm::vec2(glm::cos(angle), glm::sin(angle)), depth);
-  }
   return path;
 }
 

@@ -38,12 +38,17 @@ std::int32_t LevelBuilder::texture(scene::Image image, scene::Wrap wrap) {
 
 std::int32_t LevelBuilder::material(scene::Material material) { return append(scene_.materials, std::move(material)); }
 
-std::int32_t LevelBuilder::material(const std::string& name, const Surface& surface, const glm::vec4& factor) {
+std::int32_t LevelBuilder::material(const std::string& name, const Surface& surface, const glm::vec4& factor,
+                                    const glm::vec3& bounced) {
   scene::Material m;
   m.name = name;
   m.baseColor = factor;
   m.metallic = 0;
   m.baseColorTexture.texture = texture(surface.colorImage(name + " colour"));
+  if (bounced != glm::vec3(0)) {
+    m.emissive = glm::vec3(factor) * bounced;
+    m.emissiveTexture = m.baseColorTexture;
+  }
   m.normalTexture.texture = texture(surface.normalImage(name + " normal"));
   m.metallicRoughnessTexture.texture = texture(surface.roughnessImage(name + " roughness"));
   return material(m);
@@ -93,6 +98,42 @@ void LevelBuilder::sun(const glm::vec3& toSun, const glm::vec3& color, float lux
   node(n);
 }
 
+std::int32_t LevelBuilder::point(const std::string& name, const glm::vec3& at, const glm::vec3& color, float candela,
+                                 float range, std::int32_t parent) {
+  scene::Light light;
+  light.name = name;
+  light.kind = scene::LightKind::kPoint;
+  light.color = color;
+  light.intensity = candela;
+  light.range = range;
+  scene::Node n;
+  n.name = name;
+  n.parent = parent;
+  n.light = append(scene_.lights, light);
+  n.translation = at;
+  return node(n);
+}
+
+std::int32_t LevelBuilder::spot(const std::string& name, const glm::vec3& at, const glm::vec3& target,
+                                const glm::vec3& color, float candela, float innerCone, float outerCone, float range,
+                                std::int32_t cookie) {
+  scene::Light light;
+  light.name = name;
+  light.kind = scene::LightKind::kSpot;
+  light.color = color;
+  light.intensity = candela;
+  light.range = range;
+  light.innerConeAngle = glm::radians(innerCone);
+  light.outerConeAngle = glm::radians(outerCone);
+  if (cookie != scene::kNone) light.cookie = scene::Cookie{cookie};
+  scene::Node n;
+  n.name = name;
+  n.light = append(scene_.lights, light);
+  n.translation = at;
+  n.rotation = lookRotation(target - at);
+  return node(n);
+}
+
 std::int32_t LevelBuilder::camera(const std::string& name, const glm::vec3& eye, const glm::vec3& target,
                                   float verticalFov, float zfar) {
   scene::Camera camera;
@@ -125,6 +166,22 @@ void LevelBuilder::animateSwing(std::int32_t node, const glm::vec3& axis, float 
     const float phase = 2.0f * glm::pi<float>() * real(i % kKeys) / real(kKeys);
     channel.times.push_back(period * real(i) / real(kKeys));
     channel.values.push_back(asValue(glm::angleAxis(middle + amplitude * glm::sin(phase), axis)));
+  }
+  animate(std::move(channel));
+}
+
+void LevelBuilder::animateSpin(std::int32_t node, const glm::vec3& axis, int turns, float seconds) {
+  constexpr int kKeys =
+      8;  // per turn: between keys 45 degrees apart even linear interpolation keeps its pace within 3%
+  scene::AnimationChannel channel;
+  channel.node = node;
+  channel.target = scene::AnimationTarget::kRotation;
+  for (int i = 0; i <= kKeys * turns; ++i) {
+    // Half angles of two turns, so that neighbours never change their sign.
+    const float angle = 2.0f * glm::pi<float>() * real(i % (2 * kKeys)) / real(kKeys);
+    channel.times.push_back(seconds * real(i) / real(kKeys * turns));
+    const glm::quat q(glm::cos(0.5f * angle), glm::sin(0.5f * angle) * axis);
+    channel.values.push_back(asValue(q));
   }
   animate(std::move(channel));
 }

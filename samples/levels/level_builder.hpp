@@ -16,7 +16,10 @@ class LevelBuilder {
   std::int32_t texture(scene::Image image, scene::Wrap wrap = scene::Wrap::kRepeat);
   std::int32_t material(scene::Material material);
   /// An opaque dielectric with the surface's colour, normals and roughness.
-  std::int32_t material(const std::string& name, const Surface& surface, const glm::vec4& factor = glm::vec4(1));
+  /// `bounced`: light that comes back from all around, as radiance of a white surface; a level without a sky bakes it
+  /// in.
+  std::int32_t material(const std::string& name, const Surface& surface, const glm::vec4& factor = glm::vec4(1),
+                        const glm::vec3& bounced = glm::vec3(0));
   /// A material without textures.
   std::int32_t plain(const std::string& name, const glm::vec3& color, float roughness, float metallic = 0);
 
@@ -29,6 +32,12 @@ class LevelBuilder {
 
   /// `toSun`: direction from the level to the sun.
   void sun(const glm::vec3& toSun, const glm::vec3& color, float lux);
+  /// A lamp: candela, and how far it reaches in metres. Returns the node.
+  std::int32_t point(const std::string& name, const glm::vec3& at, const glm::vec3& color, float candela, float range,
+                     std::int32_t parent = scene::kNone);
+  /// A cone of light; half angles in degrees; `cookie`: the texture that it shines through. Returns the node.
+  std::int32_t spot(const std::string& name, const glm::vec3& at, const glm::vec3& target, const glm::vec3& color,
+                    float candela, float innerCone, float outerCone, float range, std::int32_t cookie = scene::kNone);
   /// Degrees. Returns the node.
   std::int32_t camera(const std::string& name, const glm::vec3& eye, const glm::vec3& target, float verticalFov,
                       float zfar);
@@ -38,6 +47,8 @@ class LevelBuilder {
   /// A pendulum or door: turns the node about `axis` by middle + amplitude * sin, sampled so finely that linear
   /// interpolation stays true; starts and ends alike.
   void animateSwing(std::int32_t node, const glm::vec3& axis, float middle, float amplitude, float period, int periods);
+  /// A wheel: turns the node `turns` times about `axis`, evenly.
+  void animateSpin(std::int32_t node, const glm::vec3& axis, int turns, float seconds);
   /// A closed tour: eye and target at equal time steps, smooth in between; last point = first point.
   void animateTour(std::int32_t camera, const std::vector<std::pair<glm::vec3, glm::vec3>>& stops, float seconds);
 

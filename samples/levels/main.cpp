@@ -1,4 +1,4 @@
-// tyndall-make-levels OUTPUT_DIR: writes hall.glb and forest.glb there.
+// tyndall-make-levels OUTPUT_DIR: writes every sample level there, as NAME.glb.
 #include <filesystem>
 #include <iostream>
 
@@ -18,9 +18,8 @@ int main(int argc, char** argv) {
     std::cerr << folder.string() << ": cannot be created: " << error.message() << '\n';
     return 1;
   }
-  for (const auto& [name, make] :
-       {std::pair{"hall.glb", &levels::makeHall}, std::pair{"forest.glb", &levels::makeForest}}) {
-    const auto written = scene::writeGlb(make(), folder / name);
+  for (const levels::Sample& sample : levels::kSamples) {
+    const auto written = scene::writeGlb(sample.make(), folder / (std::string(sample.name) + ".glb"));
     if (!written) {
       std::cerr << written.error().message << '\n';
       return 1;

@@ -13,7 +13,7 @@ struct Views {
   explicit Views(const scene::Scene& level) : scene(level) {
     const std::vector<glm::mat4> world = scene::worldMatrices(scene, 0);
     cameras = scene::placedCameras(scene, world);
-    const std::vector<scene::LightView> lights = scene::placedLights(scene, world);
+    lights = scene::placedLights(scene, world);
     toSun = -lights.at(0).direction;
   }
   glm::vec3 ray(int camera, float x, float y) const {  // x, y in [-1, 1]
@@ -27,10 +27,17 @@ struct Views {
     const float reach = glm::tan(0.5f * cameras[camera].camera.yfov);
     return {v.x / (-v.z * reach * kAspect), v.y / (-v.z * reach), -v.z};
   }
+  /// The same for a place in the world; z is its distance along the view.
+  glm::vec3 onScreen(int camera, const glm::vec3& place) const {
+    const glm::vec3 v = glm::transpose(glm::mat3(cameras[camera].worldFromView)) * (place - eye(camera));
+    const float reach = glm::tan(0.5f * cameras[camera].camera.yfov);
+    return {v.x / (-v.z * reach * kAspect), v.y / (-v.z * reach), -v.z};
+  }
   static bool inside(const glm::vec3& p) { return p.z > 0 && glm::abs(p.x) < 1 && glm::abs(p.y) < 1; }
 
   scene::Scene scene;
   std::vector<scene::CameraView> cameras;
+  std::vector<scene::LightView> lights;
   glm::vec3 toSun{0};
 };
 
@@ -60,6 +67,40 @@ void expectCamerasSeeGeometry(const Views& views, float least) {
 
 TEST(Cameras, OfTheHallSeeGeometry) { expectCamerasSeeGeometry(Views(makeHall()), 0.85f); }
 TEST(Cameras, OfTheForestSeeGeometry) { expectCamerasSeeGeometry(Views(makeForest()), 0.6f); }
+
+TEST(Cameras, OfTheVaultSeeItsWalls) { expectCamerasSeeGeometry(Views(makeVault()), 1.0f); }
+TEST(Cameras, OfTheCageSeeItsWalls) { expectCamerasSeeGeometry(Views(makeCage()), 1.0f); }
+
+TEST(Cameras, TryLampsOffAndOnTheScreen) {
+  const Views vault(makeVault()), cage(makeCage());
+  ASSERT_EQ(vault.lights.size(), 2u);
+  for (const scene::LightView& light : vault.lights) EXPECT_FALSE(Views::inside(vault.onScreen(0, light.position)));
+  EXPECT_TRUE(Views::inside(vault.onScreen(1, vault.lights[0].position)));
+  // Camera 2 stands within the window's cone and looks along it: the lamp is behind, its antipode on the screen.
+  const scene::LightView& window = vault.lights[1];
+  const glm::vec3 fromLamp = glm::normalize(vault.eye(2) - window.position);
+  EXPECT_GT(glm::dot(fromLamp, window.direction), glm::cos(window.light.outerConeAngle));
+  EXPECT_LT(vault.onScreen(2, window.position).z, 0);
+  EXPECT_TRUE(Views::inside(vault.onScreen(2, vault.eye(2) + fromLamp)));
+  // Camera 1 stands in the other cone, camera 0 in none.
+  const auto within = [&](int camera, const scene::LightView& light) {
+    const float cosine = glm::dot(glm::normalize(vault.eye(camera) - light.position), light.direction);
+    return cosine > glm::cos(light.light.outerConeAngle);
+  };
+  EXPECT_TRUE(within(1, vault.lights[0]));
+  EXPECT_FALSE(within(1, window));
+  EXPECT_FALSE(within(0, vault.lights[0]));
+  EXPECT_FALSE(within(0, window));
+
+  ASSERT_EQ(cage.lights.size(), 2u);
+  EXPECT_FALSE(Views::inside(cage.onScreen(0, cage.lights[0].position)));
+  for (const int camera : {1, 2}) {
+    const glm::vec3 lamp = cage.onScreen(camera, cage.lights[0].position);
+    EXPECT_TRUE(Views::inside(lamp));
+    EXPECT_LT(glm::abs(lamp.x), 0.3f);
+  }
+  EXPECT_LT(glm::distance(cage.eye(2), cage.lights[0].position), 2.0f);
+}
 
 TEST(Cameras, TryTheEpipoleEverywhere) {
   const Views hall(makeHall()), forest(makeForest());

@@ -23,7 +23,11 @@ std::string bytesOf(const fs::path& path) {
 
 class File : public testing::TestWithParam<const char*> {
  protected:
-  static scene::Scene made() { return GetParam() == std::string("hall") ? makeHall() : makeForest(); }
+  static scene::Scene made() {
+    for (const Sample& sample : kSamples)
+      if (GetParam() == std::string(sample.name)) return sample.make();
+    return {};
+  }
 };
 
 TEST_P(File, LoadsWithoutAWordOfWarningAndHoldsWhatWasMade) {
@@ -39,6 +43,18 @@ TEST_P(File, LoadsWithoutAWordOfWarningAndHoldsWhatWasMade) {
   EXPECT_EQ(loaded.materials.size(), expected.materials.size());
   EXPECT_EQ(loaded.images.size(), expected.images.size());
   EXPECT_EQ(loaded.cameras.size(), 4u);
+  ASSERT_EQ(loaded.lights.size(), expected.lights.size());
+  for (std::size_t i = 0; i < loaded.lights.size(); ++i) {
+    const scene::Light &a = loaded.lights[i], &b = expected.lights[i];
+    EXPECT_EQ(a.kind, b.kind);
+    EXPECT_EQ(a.intensity, b.intensity);
+    EXPECT_EQ(a.range, b.range);
+    EXPECT_EQ(a.cookie.has_value(), b.cookie.has_value());
+    if (b.kind == scene::LightKind::kSpot) {
+      EXPECT_EQ(a.innerConeAngle, b.innerConeAngle);
+      EXPECT_EQ(a.outerConeAngle, b.outerConeAngle);
+    }
+  }
   ASSERT_EQ(loaded.animations.size(), 1u);
   EXPECT_EQ(loaded.animations[0].channels.size(), expected.animations[0].channels.size());
   EXPECT_EQ(instancedTriangles(loaded), instancedTriangles(expected));
@@ -109,7 +125,7 @@ TEST_P(File, WindingNormalsAndTangentsAgree) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, File, testing::Values("hall", "forest"));
+INSTANTIATE_TEST_SUITE_P(Levels, File, testing::Values("hall", "forest", "vault", "cage"));
 
 }  // namespace
 }  // namespace tyndall::levels

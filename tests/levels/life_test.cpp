@@ -27,7 +27,8 @@ float travel(const scene::Scene& scene, const scene::Node& node, const glm::mat4
 }
 
 TEST(Life, CastersMoveAndComeBack) {
-  for (const scene::Scene& scene : {makeHall(), makeForest()}) {
+  for (const Sample& sample : kSamples) {
+    const scene::Scene scene = sample.make();
     SCOPED_TRACE(scene.name);
     const double duration = scene.animations.at(0).duration;
     ASSERT_GT(duration, 5);
@@ -64,6 +65,8 @@ void expectClearTour(const scene::Scene& scene) {
 
 TEST(Life, TheHallsTourIsClear) { expectClearTour(makeHall()); }
 TEST(Life, TheForestsTourIsClear) { expectClearTour(makeForest()); }
+TEST(Life, TheVaultsTourIsClear) { expectClearTour(makeVault()); }
+TEST(Life, TheCagesTourIsClear) { expectClearTour(makeCage()); }
 
 TEST(Life, TheHallsTourStaysInTheHall) {
   const scene::Scene scene = makeHall();

@@ -12,6 +12,20 @@ scene::Scene makeHall();
 /// A clearing with a creek and a footbridge in a forest of alpha-cut leaves, under a low sun.
 scene::Scene makeForest();
 
+/// An abandoned crypt, 14 m x 9 m x 5 m: a spot light through a grating and a fan, another through a rose window.
+scene::Scene makeVault();
+
+/// A store room, 15 m x 12 m x 5 m: a point light in a swinging cage, another in a stove.
+scene::Scene makeCage();
+
+/// Every level by its file's name.
+struct Sample {
+  const char* name;
+  scene::Scene (*make)();
+};
+inline constexpr Sample kSamples[] = {
+    {"hall", makeHall}, {"forest", makeForest}, {"vault", makeVault}, {"cage", makeCage}};
+
 /// How many triangles a frame that culls nothing draws: every mesh counted once per node that uses it.
 std::size_t instancedTriangles(const scene::Scene& scene);
 
