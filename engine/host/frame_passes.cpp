@@ -50,10 +50,9 @@ void bind(PassContext& context, const Run& run) {
     } else if (b.source == TY_SOURCE_BUFFER) {
       descriptors.storageBuffer(b.binding, context.buffer(run.refs->buffers[b.index]));
     } else {
-      const VkImageView view =
-          context.view(run.image(b.source, b.index), b.source == TY_SOURCE_LIGHT_COOKIE
-                                                         ? run.refs->cookieViews[run.light]
-                                                         : viewOf(run.built->layout, b));
+      const VkImageView view = context.view(run.image(b.source, b.index), b.source == TY_SOURCE_LIGHT_COOKIE
+                                                                              ? run.refs->cookieViews[run.light]
+                                                                              : viewOf(run.built->layout, b));
       if (b.access == TY_ACCESS_SAMPLED)
         descriptors.sampled(b.binding, view, samplerOf(context.device(), b.sampler),
                             sampledLayout(*run.built, run.pass, b));

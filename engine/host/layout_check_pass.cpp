@@ -113,7 +113,8 @@ class PassChecker {
         if (b.base_layer != 0 || b.layer_count != 0) return failed("takes a part of a shadow map; bind all of it");
         break;
       case TY_SOURCE_LIGHT_COOKIE:
-        if (!context_.cookies) return failed("takes a light's cookie, which this renderer does not offer (light_cookies)");
+        if (!context_.cookies)
+          return failed("takes a light's cookie, which this renderer does not offer (light_cookies)");
         if (!p.d.per_light) return failed("takes a light's cookie in a pass that is not per light");
         if (b.access != TY_ACCESS_SAMPLED) return failed("stores to or loads from a light's cookie; sample it");
         if (b.base_mip != 0 || b.mip_count != 0 || b.base_layer != 0 || b.layer_count != 0)

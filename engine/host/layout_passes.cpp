@@ -15,7 +15,7 @@ Result<void> join(std::vector<PassUse>& uses, LayoutResource resource, PassAcces
   }
   // Barriers are for whole resources: one state per pass. Several reads of the same kind are one state.
   if (same->access == access && (!writesTo(access) || access == PassAccess::kStorageReadWrite)) return {};
-  const char* const kinds[] = {"image",      "buffer", "uniform block",    "scene depth",
+  const char* const kinds[] = {"image",      "buffer", "uniform block",     "scene depth",
                                "shadow map", "output", "moment shadow map", "light's cookie"};
   return failed("pass '" + pass.name + "': uses " + kinds[resource.source] + " " + std::to_string(resource.index) +
                 " in two ways at once; use it one way, or split the pass");

@@ -32,7 +32,8 @@ CookiePlace placeOf(const scene::Scene& scene, std::int32_t texture, LightKind k
 
 // Texels a side that lose nothing of the image.
 std::uint32_t neededSide(const scene::Image& image, const CookiePlace& place) {
-  if (place.faces == 1) return std::max(image.width * (place.mirrored.x ? 2 : 1), image.height * (place.mirrored.y ? 2 : 1));
+  if (place.faces == 1)
+    return std::max(image.width * (place.mirrored.x ? 2 : 1), image.height * (place.mirrored.y ? 2 : 1));
   if (scene::pointCookieShape(image) == scene::CookieShape::kCubeStrip) return image.height;
   return static_cast<std::uint32_t>(std::ceil(2 * image.height / 3.14159265));
 }
@@ -118,7 +119,8 @@ glm::mat4 cookieFromWorld(const scene::LightView& light, const CookiePlace& plac
     cookieFromLight[2][2] = cookieFromLight[2][3] = -1;
   } else {
     const glm::dvec2 size(light.light.cookie->size);
-    // A tile with its mirror image is twice as long, and the image's middle is at its first quarter from the upper left.
+    // A tile with its mirror image is twice as long, and the image's middle is at its first quarter from the upper
+    // left.
     cookieFromLight[0][0] = (place.mirrored.x ? 1 : 2) / size.x;
     cookieFromLight[1][1] = (place.mirrored.y ? 1 : 2) / size.y;
     cookieFromLight[2][2] = -1;

@@ -104,12 +104,14 @@ Recipe casterRecipe(bool mask) {
 }
 
 Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots, ShadowMaps maps, bool cookies) {
-  Recipe recipe = geometry("transparent, " + mapsText(slots, maps) + cookiesText(cookies), "transparent.frag", facing, textures);
+  Recipe recipe =
+      geometry("transparent, " + mapsText(slots, maps) + cookiesText(cookies), "transparent.frag", facing, textures);
   recipe.desc.bindings.push_back({9, kUniform});
   addSampled(recipe.desc.bindings, 10, shared::kShadowSlots);
   recipe.desc.bindings.push_back({14, kStorage});
   recipe.desc.bindings.push_back({15, kSampled});
-  recipe.desc.specialization = {{1, slots}, {2, textures}, {3, static_cast<std::uint32_t>(maps)}, {4, cookies ? 1u : 0u}};
+  recipe.desc.specialization = {
+      {1, slots}, {2, textures}, {3, static_cast<std::uint32_t>(maps)}, {4, cookies ? 1u : 0u}};
   recipe.desc.pushConstantBytes = sizeof(UnshadowedLights);
   gpu::ColorTarget target{kColorFormat, true};
   target.sourceFactor = VK_BLEND_FACTOR_SRC_ALPHA;

@@ -143,7 +143,8 @@ Result<void> checkScene(const Scene& scene, bool withBounds) {
   }
   for (std::size_t i = 0; i < scene.nodes.size() && c.good(); ++i) checkNode(c, scene, i);
   for (std::size_t i = 0; i < scene.cameras.size() && c.good(); ++i) checkCamera(c, scene.cameras[i], at("cameras", i));
-  for (std::size_t i = 0; i < scene.lights.size() && c.good(); ++i) checkLight(c, scene, scene.lights[i], at("lights", i));
+  for (std::size_t i = 0; i < scene.lights.size() && c.good(); ++i)
+    checkLight(c, scene, scene.lights[i], at("lights", i));
   for (std::size_t a = 0; a < scene.animations.size() && c.good(); ++a)
     for (std::size_t k = 0; k < scene.animations[a].channels.size() && c.good(); ++k)
       checkChannel(c, scene, scene.animations[a].channels[k], at("animations", a) + "." + at("channels", k));

@@ -114,11 +114,16 @@ const Schema kCamera{
 
 const Schema kSpot{{factor("innerConeAngle", 0, kHalfPi), factor("outerConeAngle", 0, kHalfPi)}};
 // Ours, in the light's extras: docs/conventions.md, "Cookies".
-const Schema kCookie{{index("index", "textures", true),
-                      {.key = "size", .kind = Kind::kNumbers, .low = 1e-4, .high = kMaxExtent, .minItems = 2, .maxItems = 2}}};
+const Schema kCookie{
+    {index("index", "textures", true),
+     {.key = "size", .kind = Kind::kNumbers, .low = 1e-4, .high = kMaxExtent, .minItems = 2, .maxItems = 2}}};
 const Schema kLightExtras{{object("cookie", kCookie)}};
-const Schema kLight{{text("name"), text("type", "directional|point|spot", true), factors("color", 3, kMaxColor),
-                     factor("intensity", 0, kMaxIntensity), factor("range", 0, kMaxExtent), object("spot", kSpot),
+const Schema kLight{{text("name"),
+                     text("type", "directional|point|spot", true),
+                     factors("color", 3, kMaxColor),
+                     factor("intensity", 0, kMaxIntensity),
+                     factor("range", 0, kMaxExtent),
+                     object("spot", kSpot),
                      {.key = "extras", .kind = Kind::kObject, .free = true, .object = &kLightExtras}}};
 const Schema kLights{{objects("lights", kLight)}};
 const Schema kDocumentExtensions{{object("KHR_lights_punctual", kLights)}};

@@ -32,8 +32,10 @@ std::optional<LightImage> LightImage::of(const scene::Scene& scene, const scene:
   }
   if (out.kind_ == scene::LightKind::kPoint) {
     out.faces_ = scene::pointCookieShape(image) == scene::CookieShape::kCubeStrip;
-    if (out.faces_) out.grid_.width = image.height;
-    else out.grid_.wrapU = scene::Wrap::kRepeat;  // once around
+    if (out.faces_)
+      out.grid_.width = image.height;
+    else
+      out.grid_.wrapU = scene::Wrap::kRepeat;  // once around
   }
   for (std::size_t i = 0; i < image.rgba.size(); i += 4)
     out.texels_.emplace_back(decoded(image.rgba[i]), decoded(image.rgba[i + 1]), decoded(image.rgba[i + 2]));
@@ -59,15 +61,16 @@ glm::dvec3 LightImage::colorTowards(const glm::dvec3& point) const {
   if (!faces_) {
     const double r = std::sqrt(x * x + y * y + z * z);
     if (r == 0) return glm::dvec3(0);
-    return fetch({0.5 + std::atan2(x, -z) / (2 * std::numbers::pi), std::acos(std::clamp(y / r, -1.0, 1.0)) / std::numbers::pi}, 0,
-                 grid_);
+    return fetch(
+        {0.5 + std::atan2(x, -z) / (2 * std::numbers::pi), std::acos(std::clamp(y / r, -1.0, 1.0)) / std::numbers::pi},
+        0, grid_);
   }
   // The face that the vector points at, and where: the columns of Vulkan's table for s, t and the major axis.
   static const struct {
     glm::dvec3 s, t, axis;
-  } kFaces[] = {{{0, 0, -1}, {0, -1, 0}, {1, 0, 0}},  {{0, 0, 1}, {0, -1, 0}, {-1, 0, 0}},
-                {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},    {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
-                {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}},   {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
+  } kFaces[] = {{{0, 0, -1}, {0, -1, 0}, {1, 0, 0}}, {{0, 0, 1}, {0, -1, 0}, {-1, 0, 0}},
+                {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},   {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
+                {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
   const glm::dvec3 d(x, y, z);
   std::int64_t face = 0;
   for (std::int64_t i = 1; i < 6; ++i)

@@ -24,14 +24,14 @@ class LightImage {
   glm::dvec3 fetch(glm::dvec2 uv, std::int64_t firstColumn, const Grid& grid) const;
 
   scene::LightKind kind_ = scene::LightKind::kPoint;
-  bool faces_ = false;               ///< of a point light: a strip of six
+  bool faces_ = false;  ///< of a point light: a strip of six
   glm::dmat3 worldFromLight_{1};
-  glm::dvec3 position_{0};           ///< relative to the eye
-  double slope_ = 1;                 ///< spot: tangent of the outer cone
-  glm::dvec2 size_{1};               ///< directional: of a tile, m
-  Grid grid_{};                      ///< of the image, or of one face
-  std::int64_t columns_ = 0;         ///< of the whole image
-  std::vector<glm::dvec3> texels_;   ///< linear
+  glm::dvec3 position_{0};          ///< relative to the eye
+  double slope_ = 1;                ///< spot: tangent of the outer cone
+  glm::dvec2 size_{1};              ///< directional: of a tile, m
+  Grid grid_{};                     ///< of the image, or of one face
+  std::int64_t columns_ = 0;        ///< of the whole image
+  std::vector<glm::dvec3> texels_;  ///< linear
 };
 
 }  // namespace tyndall::truth

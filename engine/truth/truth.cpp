@@ -92,8 +92,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::CameraView& camer
     const glm::dvec3 power = glm::dvec3(light.light.color) * double{light.light.intensity};
     if (power == glm::dvec3(0)) continue;
     if (light.light.kind == scene::LightKind::kDirectional)
-      suns.push_back(
-          {glm::normalize(glm::dvec3(light.direction)), power, LightImage::of(scene, light, lens.eye())});
+      suns.push_back({glm::normalize(glm::dvec3(light.direction)), power, LightImage::of(scene, light, lens.eye())});
     else
       lamps.push_back({LocalLight(scene, light, lens.eye()), power});
   }
@@ -114,9 +113,8 @@ Result<Picture> render(const scene::Scene& scene, const scene::CameraView& camer
       glm::dvec3 radiance(0);
       if (sigma_s > 0) {
         for (const Sun& sun : suns)
-          radiance += sun.irradiance *
-                      sunScatter(sun.travel, sun.image ? &*sun.image : nullptr, direction, end, medium,
-                                 occluders.bounds(), settings.samples, rays);
+          radiance += sun.irradiance * sunScatter(sun.travel, sun.image ? &*sun.image : nullptr, direction, end, medium,
+                                                  occluders.bounds(), settings.samples, rays);
         for (const Lamp& lamp : lamps)
           radiance += lamp.candela * lamp.light.scatter(direction, end, medium, settings.samples, rays);
       }

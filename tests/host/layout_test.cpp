@@ -256,7 +256,7 @@ TEST(LayoutRefused, bindings) {
       {"buffer 4294967295", [](Given& g) { g.bindings[kFill][2].index = TY_NONE; }},
       {"uniform block 2", [](Given& g) { g.bindings[kFill][3].index = 2; }},
       {"index 1; this source has only index 0", [](Given& g) { g.bindings[kFill][0].index = 1; }},
-      {"unknown source 7", [](Given& g) { g.bindings[kFill][0].source = 7; }},
+      {"unknown source 8", [](Given& g) { g.bindings[kFill][0].source = 8; }},
       {"unknown access 5", [](Given& g) { g.bindings[kFill][0].access = 5; }},
       {"unknown sampler 6", [](Given& g) { g.bindings[kFill][0].sampler = 6; }},
       {"mixes uniform", [](Given& g) { g.bindings[kFill][3].access = TY_ACCESS_SAMPLED; }},
@@ -386,7 +386,8 @@ TEST(Layout, aLightsCookieIsBoundWhole) {
   expectRefusals({
       {"which this renderer does not offer", [&](Given& g) { cookie(g), g.context.cookies = false; }},
       {"not per light", [&](Given& g) { cookie(g), g.passes[kLight].per_light = 0; }},
-      {"light's cookie; sample it", [&](Given& g) { cookie(g), g.bindings[kLight][0].access = TY_ACCESS_STORAGE_READ; }},
+      {"light's cookie; sample it",
+       [&](Given& g) { cookie(g), g.bindings[kLight][0].access = TY_ACCESS_STORAGE_READ; }},
       {"a part of a light's cookie", [&](Given& g) { cookie(g), g.bindings[kLight][0].base_mip = 1; }},
       {"a part of a light's cookie", [&](Given& g) { cookie(g), g.bindings[kLight][0].layer_count = 1; }},
       {"only index 0", [&](Given& g) { cookie(g), g.bindings[kLight][0].index = 1; }},

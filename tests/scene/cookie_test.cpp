@@ -66,7 +66,8 @@ TEST(Cookies, WithoutAnImageIsLeftOut) {
   ASSERT_TRUE(loaded.ok()) << loaded.error().message;
   EXPECT_FALSE(loaded->scene.lights[0].cookie);
   bool told = false;
-  for (const std::string& warning : loaded->warnings) told |= warning.starts_with("textures[2] has no PNG or JPEG image");
+  for (const std::string& warning : loaded->warnings)
+    told |= warning.starts_with("textures[2] has no PNG or JPEG image");
   EXPECT_TRUE(told);
 }
 
@@ -105,8 +106,8 @@ TEST(Cookies, TurnWithTheirNodeWithoutItsScale) {
   s.nodes[0].scale = {3, 5, 7};
   s.nodes[1].parent = 0;
   s.nodes[1].light = 0;
-  s.nodes[1].rotation = glm::angleAxis(0.5f * 3.14159265f, glm::vec3(0, 1, 0)) *
-                        glm::angleAxis(0.5f * 3.14159265f, glm::vec3(0, 0, 1));
+  s.nodes[1].rotation =
+      glm::angleAxis(0.5f * 3.14159265f, glm::vec3(0, 1, 0)) * glm::angleAxis(0.5f * 3.14159265f, glm::vec3(0, 0, 1));
   const auto lights = placedLights(s, worldMatrices(s, 0));
   ASSERT_EQ(lights.size(), 1u);
   const glm::mat3& frame = lights[0].worldFromLight;

@@ -26,7 +26,8 @@ Primitive quad(std::int32_t material) {
 Scene everything() {
   Scene s;
   s.name = "all of it";
-  s.images = {{"opaque", 2, 1, {255, 0, 0, 255, 0, 255, 0, 255}}, {"clear", 1, 2, {1, 2, 3, 4, 250, 251, 252, 0}},
+  s.images = {{"opaque", 2, 1, {255, 0, 0, 255, 0, 255, 0, 255}},
+              {"clear", 1, 2, {1, 2, 3, 4, 250, 251, 252, 0}},
               {"strip", 6, 1, std::vector<std::uint8_t>(24, 77)}};
   s.textures = {
       {0, {Filter::kNearest, Filter::kNearest, Filter::kLinear, true, Wrap::kClampToEdge, Wrap::kMirroredRepeat}},

@@ -139,8 +139,8 @@ TEST(TruthCookie, stripsFacesLieAsVulkansCubeMapsDo) {
           i == 0 ? kWhite : Texel{0, static_cast<std::uint8_t>(100 + 20 * face), 0};
   const auto level = levelWith(12, 2, texels);
   const auto lamp = light(scene::LightKind::kPoint, {0, 0, 0});
-  const glm::vec3 upperLeft[] = {{1, .5f, .5f}, {-1, .5f, -.5f}, {-.5f, 1, -.5f},
-                                 {-.5f, -1, .5f}, {-.5f, .5f, 1}, {.5f, .5f, -1}};
+  const glm::vec3 upperLeft[] = {{1, .5f, .5f},   {-1, .5f, -.5f}, {-.5f, 1, -.5f},
+                                 {-.5f, -1, .5f}, {-.5f, .5f, 1},  {.5f, .5f, -1}};
   for (int face = 0; face < 6; ++face) {
     const glm::vec3 axis = glm::vec3(glm::greaterThan(glm::abs(upperLeft[face]), glm::vec3(0.75f))) * upperLeft[face];
     EXPECT_NEAR(colorAt(level, lamp, 3.0f * upperLeft[face]).r, 1, 1e-3) << face;

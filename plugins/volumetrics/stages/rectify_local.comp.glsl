@@ -29,17 +29,17 @@ void main() {
   if (s.last > s.first) {
     float psi = columnDistance(s, float(at.y) + 0.5);
     vec3 away = lightRay(s.direction, psi);
+    bool spot = light.local.kind == kLocalSpot;
     uint face = localFace(light.local, away);
-    vec4 ray = light.local.shadow[face] * vec4(away, 0.0);
-    vec2 place = ray.xy / max(ray.w, 1e-9) * 0.5 + 0.5;
-    bool inside = ray.w > 0.0 && (light.local.kind == kLocalPoint || all(lessThanEqual(abs(place - 0.5), vec2(0.5))));
-    if (inside) {
-      ivec2 texel = clamp(ivec2(place * light.local.shadowSize), ivec2(0), ivec2(light.local.shadowSize) - 1);
+    vec3 m = abs(away);
+    float along = spot ? dot(away, light.local.axis) : max(m.x, max(m.y, m.z));
+    vec2 place = vec2(dot(light.local.faceX[face], away), dot(light.local.faceY[face], away)) / max(along, 1e-9);
+    if (along > 0.0 && (!spot || all(lessThanEqual(abs(place), vec2(1.0))))) {
+      ivec2 texel = clamp(ivec2((place * 0.5 + 0.5) * light.local.shadowSize), ivec2(0), ivec2(light.local.shadowSize) - 1);
       float stored = texelFetch(shadowMap, ivec3(texel, face), 0).x;
       if (stored < 1.0) {
-        // Depth z/w of the point at distance r on the light ray is (start + r ray.z)/(r ray.w): at the light itself w is 0.
-        float start = (light.local.shadow[face] * vec4(light.local.position, 1.0)).z;
-        float r = start / min(stored * ray.w - ray.z, -1e-9);
+        // Where on the light ray, m, the map's depth depthScale - depthOffset/(r along) is the stored one.
+        float r = light.local.depthOffset / (max(light.local.depthScale - stored, 1e-9) * along);
         result = rectifiedDepth(r * sin(psi), light.distance - r * cos(psi));
       }
     }

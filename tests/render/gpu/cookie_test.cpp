@@ -103,8 +103,10 @@ TEST_F(CookieTest, SpotsImageSpansItsCone) {
   // A steep ramp by eight columns: bilinear between the texels' middles, at 0.5625 of the cone's half.
   std::vector<Texel> columns(8, kBlack);
   columns[6] = columns[7] = kWhite;
-  expectColors(imageOf(8, 1, columns), spot,
-               {{{0.375f * half, 0, 0}, glm::vec3(0)}, {{0.5f * half, 0, 0}, glm::vec3(0.5f)}, {{0.625f * half, 0, 0}, w}}, 0.1f);
+  expectColors(
+      imageOf(8, 1, columns), spot,
+      {{{0.375f * half, 0, 0}, glm::vec3(0)}, {{0.5f * half, 0, 0}, glm::vec3(0.5f)}, {{0.625f * half, 0, 0}, w}},
+      0.1f);
 }
 
 TEST_F(CookieTest, SunsTileRepeatsAsTheSamplerSays) {
@@ -118,12 +120,15 @@ TEST_F(CookieTest, SunsTileRepeatsAsTheSamplerSays) {
     wrap_ = wrap;
     SCOPED_TRACE(static_cast<int>(wrap));
     const bool mirrored = wrap == scene::Wrap::kMirroredRepeat, clamped = wrap == scene::Wrap::kClampToEdge;
-    std::vector<std::pair<glm::vec3, glm::vec3>> wanted = {
-        {at(0, 0, -0.25f, -0.25f), r}, {at(0, 0, 0.25f, -0.25f), g},
-        {at(0, 0, -0.25f, 0.25f), b},  {at(0, 0, 0.25f, 0.25f), w},
-        {at(-1, 0, -0.25f, -0.25f), mirrored ? g : r}, {at(-1, 0, 0.25f, -0.25f), mirrored || clamped ? r : g},
-        {at(0, -1, -0.25f, 0.25f), mirrored || clamped ? r : b}, {at(0, -1, 0.25f, -0.25f), mirrored ? w : g},
-        {at(-1, -1, -0.25f, -0.25f), mirrored ? w : r}};
+    std::vector<std::pair<glm::vec3, glm::vec3>> wanted = {{at(0, 0, -0.25f, -0.25f), r},
+                                                           {at(0, 0, 0.25f, -0.25f), g},
+                                                           {at(0, 0, -0.25f, 0.25f), b},
+                                                           {at(0, 0, 0.25f, 0.25f), w},
+                                                           {at(-1, 0, -0.25f, -0.25f), mirrored ? g : r},
+                                                           {at(-1, 0, 0.25f, -0.25f), mirrored || clamped ? r : g},
+                                                           {at(0, -1, -0.25f, 0.25f), mirrored || clamped ? r : b},
+                                                           {at(0, -1, 0.25f, -0.25f), mirrored ? w : g},
+                                                           {at(-1, -1, -0.25f, -0.25f), mirrored ? w : r}};
     expectColors(quarters(4), light, wanted, 0.03f);
   }
 }
@@ -155,12 +160,12 @@ TEST_F(CookieTest, PointLightsImageSurroundsIt) {
                       : face == 4 ? (left ? kGreen : kRed)
                                   : (left ? kWhite : kBlue));
     }
-  const std::vector<std::pair<glm::vec3, glm::vec3>> faces = {
-      {{-0.5f, 0, 0.5f}, r},  {{0.5f, 0, 0.5f}, g},  {{-0.5f, 0, -0.5f}, b}, {{0.5f, 0, -0.5f}, w},
-      {{2, 0, 1}, r},         {{2, 0, -1}, g},       // +X: s is -z
-      {{-2, 0, -1}, b},       {{-2, 0, 1}, w},       // -X: s is z
-      {{-1, 0, 2}, g},        {{1, 0, 2}, r},        // +Z: s is x
-      {{1, 0, -2}, w},        {{-1, 0, -2}, b}};     // -Z: s is -x
+  const std::vector<std::pair<glm::vec3, glm::vec3>> faces = {{{-0.5f, 0, 0.5f}, r},  {{0.5f, 0, 0.5f}, g},
+                                                              {{-0.5f, 0, -0.5f}, b}, {{0.5f, 0, -0.5f}, w},
+                                                              {{2, 0, 1}, r},         {{2, 0, -1}, g},    // +X: s is -z
+                                                              {{-2, 0, -1}, b},       {{-2, 0, 1}, w},    // -X: s is z
+                                                              {{-1, 0, 2}, g},        {{1, 0, 2}, r},     // +Z: s is x
+                                                              {{1, 0, -2}, w},        {{-1, 0, -2}, b}};  // -Z: s is -x
   expectColors(imageOf(48, 8, strip), light, faces, 0.03f);
 
   // Maps of this size have no room for a cube's six faces: the light is an unshadowed one.
@@ -182,6 +187,53 @@ TEST_F(CookieTest, LightsWithoutOneAreAsBefore) {
   bare.light.cookie.reset();
   const Shot white = shoot(imageOf(2, 2, std::vector<Texel>(4, kWhite)), other), without = shoot(image, bare);
   for (std::size_t i = 0; i < white.color.size(); ++i) ASSERT_EQ(white.color[i], without.color[i]) << i;
+}
+
+/// Takes down what effects are told, and reads each light's cookie in a pass of its own.
+struct Listener : Effect {
+  std::vector<ShadowedLight> lights;
+  std::vector<gpu::ImageDesc> images;
+  Result<ImageRef> addPasses(const EffectInput& input) override {
+    lights = input.lights;
+    images.clear();
+    for (const ShadowedLight& light : lights) {
+      images.push_back(input.graph.desc(light.cookie));
+      const gpu::ViewDesc layers{0, 0, light.cookieLayer, std::max(1u, light.cookieFaces), true};
+      input.graph.pass("listen").use(light.cookie, Use::kSampledCompute).keep().run([=](PassContext& context) {
+        EXPECT_NE(context.view(light.cookie, layers), VkImageView{VK_NULL_HANDLE});
+      });
+    }
+    return ImageRef{};
+  }
+  DebugImage debugImage(const std::string&) override { return {}; }
+};
+
+TEST_F(CookieTest, EffectsAreGivenThem) {
+  Listener listener;
+  options_.effect = &listener;
+  const scene::LightView spot = shiningDown(spotLight({0, 3, 0}, {0, 0, 0}, 100, 0.6f));
+  scene::LightView point = shiningDown(pointLight({0, 1, 0}, 30)), bare = spot;
+  point.light.cookie->texture = 1;  // 2:1
+  bare.light.cookie.reset();
+  shoot(quarters(8), spot, {bare, point, sun({0, -1, 0}, 1)});
+  ASSERT_EQ(listener.lights.size(), 4u);
+  EXPECT_EQ(listener.lights[0].cookieFaces, 1u);
+  EXPECT_EQ(listener.lights[1].cookieFaces, 0u);
+  EXPECT_EQ(listener.lights[2].cookieFaces, 6u);
+  EXPECT_EQ(listener.lights[3].cookieFaces, 0u);
+  EXPECT_EQ(listener.images[0].layers, 7u) << "one of the spot light, six of the point light";
+  EXPECT_EQ(listener.images[0].width, 16u);
+  EXPECT_EQ(listener.images[0].mips, 5u);
+  EXPECT_EQ(listener.lights[0].cookie, listener.lights[2].cookie);
+  EXPECT_EQ(listener.images[1].width, 1u);
+  EXPECT_EQ(listener.lights[1].cookie, listener.lights[3].cookie);
+  EXPECT_TRUE(listener.lights[0].cookieLayer < listener.lights[2].cookieLayer ||
+              listener.lights[0].cookieLayer >= listener.lights[2].cookieLayer + 6);
+  const glm::vec4 p = listener.lights[0].cookieFromWorld * glm::vec4(3 * std::tan(0.6f), 0, 0, 1);
+  EXPECT_NEAR(p.x / p.w, 1, 1e-6);
+
+  shoot(imageOf(2000, 1, std::vector<Texel>(2000, kWhite)), spot);
+  EXPECT_EQ(listener.images[0].width, 1024u) << "the most a layer has";
 }
 
 TEST_F(CookieTest, FarAwayAFineImageIsItsMeanInLinearLight) {
