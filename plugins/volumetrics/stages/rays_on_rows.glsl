@@ -27,6 +27,7 @@ struct RowRay {
   float depth;      // normalised
   float first, last;  // distances from the axis, m, or angles at the light at which the rows begin and end
   float reach;        // the same of the ray's end
+  float whole;        // spot and point lights: unshadowed integral over the rows, which then share `weight` as they share it
 };
 
 int wrapSlice(int index) {
@@ -36,6 +37,13 @@ int wrapSlice(int index) {
 
 // Distance from the axis in the slice of `s` that a ray's end has: rows share columns along e1 in a projective map.
 float reachIn(Slice s, float reach, float x) { return byTangent() ? x * s.perX : reach; }
+
+float unshadowedTo(float theta, float psi);
+
+// Unshadowed integral of a view ray over the columns of a row.
+float unshadowedOver(Slice s, RowRay ray) {
+  return max(unshadowedTo(ray.theta, clamp(ray.reach, s.first, s.last)) - unshadowedTo(ray.theta, s.first), 0.0);
+}
 
 RowRay rowRay(vec3 local, float end, bool interpolate) {
   RowRay ray;
@@ -61,6 +69,17 @@ RowRay rowRay(vec3 local, float end, bool interpolate) {
   } else {
     ray.first = ray.a.s.first * ray.a.weight + ray.b.s.first * ray.b.weight;
     ray.last = ray.a.s.last * ray.a.weight + ray.b.s.last * ray.b.weight;
+  }
+  ray.whole = 0.0;
+  if (kLocal) {
+    // At the border of a cone the two rows span quite different angles.
+    float a = ray.a.weight * unshadowedOver(ray.a.s, ray);
+    float b = ray.b.weight > 0.0 ? ray.b.weight * unshadowedOver(ray.b.s, ray) : 0.0;
+    ray.whole = a + b;
+    if (ray.whole > 0.0) {
+      ray.a.weight = a / ray.whole;
+      ray.b.weight = b / ray.whole;
+    }
   }
   return ray;
 }
@@ -94,10 +113,8 @@ bool inEpipoleBlock(vec2 pixel) {
 vec3 visibleIntegral(RowRay ray, float end) {
   float sigma_t = frame.rays.sigma_t;
   if (kLocal) {
-    float reach = clamp(ray.reach, ray.first, ray.last);
-    float whole = unshadowedTo(ray.theta, reach) - unshadowedTo(ray.theta, ray.first);
-    if (whole <= 0.0) return vec3(0.0);
-    return meanVisibility(ray) * (whole / (light.distance * max(ray.sine, 1e-6)));
+    if (ray.whole <= 0.0) return vec3(0.0);
+    return meanVisibility(ray) * (ray.whole / (light.distance * max(ray.sine, 1e-6)));
   }
   float safeSine = max(ray.sine, 1e-7);
   float enter = min(ray.first / safeSine, end);

@@ -5,10 +5,11 @@ const int kWeightsTransmittance = 1;
 // Optical depth of the widest row seen across the light, floored: the coordinate of the reference rays needs it above 0.
 float referenceKappa() { return max(frame.rays.sigma_t * light.map.reach, 1e-2); }
 
-// The coordinate in which the reference inclinations of a slice are spread: for a sun that of lib/epipolar.glsl, for other lights log(theta),
-// theta floored as the sine is there.
+// The coordinate in which the reference inclinations of a slice are spread: for a sun that of lib/epipolar.glsl, for other lights
+// log(theta/(pi - theta)): near the light weights change with log(theta), and near its antipode, where psi ends at pi - theta, with the
+// logarithm of that. Both are floored as the sine is there.
 float referencePosition(float theta) {
-  return kLocal ? log(max(theta, 0.02)) : referenceCoordinate(cosecant(theta), referenceKappa());
+  return kLocal ? log(max(theta, 0.02) / max(kPi - theta, 0.02)) : referenceCoordinate(cosecant(theta), referenceKappa());
 }
 
 // Where an inclination lies between the extreme reference rays of a slice: [-1, 1], as Chebyshev nodes are.
@@ -20,13 +21,13 @@ float referencePlace(float nodeLow, float nodeHigh, float theta) {
 // weights; for other lights its inclination.
 float referenceKey(Slice s, int k, int count) {
   float node = mix(s.nodeLow, s.nodeHigh, 0.5 + 0.5 * chebyshevNode(k, count));
-  if (kLocal) return exp(node);
+  if (kLocal) return kPi / (1.0 + exp(-node));
   return frame.rectified.weights == kWeightsTransmittance ? frame.rays.sigma_t * referenceCosecant(node, referenceKappa()) : 0.0;
 }
 
 // A reference ray gives no column less than these leave it: optical depth of the way, and share of the range's window.
-const float kMostWay = 4.0;
-const float kLeastWindow = 0.02;
+const float kMostWay = 0.5;
+const float kLeastWindow = 0.6;
 
 float rangeOverDistance() { return light.local.range / light.distance; }
 
