@@ -159,7 +159,7 @@ TEST_F(Render, DebugViewsOfEngineAndPlugin) {
     if (view.at("owner") == "engine") lastOf[""] = view.at("name");
     for (const std::string technique : view.at("techniques")) lastOf[technique] = view.at("name");
   }
-  EXPECT_EQ(lastOf.size(), 6u);
+  EXPECT_EQ(lastOf.size(), 7u);
   for (const auto& [technique, name] : lastOf) {
     std::vector<std::string> call = with(kSmall, {"--debug-view", name, "--out", "v.png"});
     if (!technique.empty()) call.insert(call.end(), {"--set", "volumetrics.technique=" + technique});

@@ -96,7 +96,7 @@ TEST_F(Fixture, TechniquesReadKnownParameters) {
     EXPECT_GT(list[i].read_count, 5u);
     for (std::uint32_t r = 0; r < list[i].read_count; ++r) index(list[i].reads[r]);
   }
-  EXPECT_EQ(names, (std::set<std::string>{"fourier", "min_max", "moments4", "moments6", "ray_march"}));
+  EXPECT_EQ(names, (std::set<std::string>{"exact", "fourier", "min_max", "moments4", "moments6", "ray_march"}));
 }
 
 // Pure: the same structure gives the same layout, and parameters that are not structural change nothing.
