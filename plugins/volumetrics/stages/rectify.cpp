@@ -143,7 +143,7 @@ void addShine(LayoutBuilder& builder, RectifyStage& stage, std::uint32_t rays, c
   const std::uint32_t parts = stage.rows / static_cast<std::uint32_t>(settings.columns) * static_cast<std::uint32_t>(settings.regions);
   builder.compute({"lit", "lit.comp",
                    {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), slices, sampledAt(3, stage.weights), storageAt(4, stage.lit)},
-                   (stage.slices + 31) / 32, parts, 1, kEachLight, {{1, rays}}});
+                   groups8(stage.slices), parts, 1, kEachLight, {{1, rays}}});
   builder.debugView("lit", "What fully lit rays receive of the light's strength and colour up to each column, first reference ray",
                     TY_SOURCE_IMAGE, stage.lit, 0, stage.lights.coloured ? 4 : 0, 0.0f, 1.0f);
 }

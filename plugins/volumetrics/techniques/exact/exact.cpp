@@ -77,10 +77,12 @@ Scan scanOf(const TyDevice& device, const Matrix& matrix, bool sixteenBit) {
   scan.lanes = device.is_cpu != 0 ? subgroup : std::clamp(matrix.elements() / kScanElements, subgroup, std::max(most, subgroup));
   scan.lanes = std::min(scan.lanes, matrix.elements() / 2);
   const std::uint32_t quads = (1 + 2 * matrix.channels + 3) / 4;
-  const std::uint32_t bytes = 4 * matrix.elements() + 4 * ((1u << matrix.binBits) + 1) + scan.lanes * 32 * quads + 8;
+  const std::uint32_t own = matrix.elements() / scan.lanes;
+  const auto padded = [own](std::uint32_t items) { return items + items / own; };
+  const std::uint32_t bytes = 4 * padded(matrix.elements()) + scan.lanes * (32 * quads + 8) + 8;
   // Subgroups must be whole.
   if (bytes > shared || scan.lanes % subgroup != 0) return {};
-  scan.staged = sixteenBit && device.is_cpu == 0 && bytes + 8 * matrix.elements() * matrix.vectors <= shared;
+  scan.staged = sixteenBit && device.is_cpu == 0 && bytes + 8 * padded(matrix.elements() * matrix.vectors) <= shared;
   return scan;
 }
 

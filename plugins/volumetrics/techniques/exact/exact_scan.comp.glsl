@@ -1,8 +1,7 @@
 // Builds the wavelet matrix of a rectified row by one workgroup: what exact_build.comp does, with the row in shared memory and sums by subgroup
 // scans. Inputs and outputs as there, without `order`.
-// Sorting: a counting sort with shared atomics; the order in which they arrive decides nothing, since columns of one bin are then put
-// in order, and those that nothing blocks, often most of a row, by a scan. Once a node is no larger than what a subgroup holds, subgroups need
-// not wait for each other.
+// Sorting: stable four-way splits by two bits of the depth's bin at a time: as long for every row. Once a node is no larger than what a
+// subgroup holds, subgroups need not wait for each other.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -41,13 +40,15 @@ layout(binding = 20) uniform sampler2DArray columnWeights;  // kShaped
 const int kOwn = kElements / kLanes;       // elements of an invocation, neighbours
 const int kSums = 1 + 2 * kChannels;  // zeros; their weight and that of all, in each channel
 const int kQuads = (kSums + 3) / 4;
-const int kOwnBins = (kBins + kLanes) / kLanes;  // of the kBins + 1
 
-shared uint element[kElements];
-shared uint counts[kBins + 1];
+shared uint element[kElements + kElements / kOwn];
 shared vec4 before[kLanes * kQuads];   // sums of all invocations before this one, or of those of the subgroup
 shared vec4 partial[kLanes * kQuads];  // of whole subgroups
-shared uvec2 staged[kStaged];
+shared uvec2 counted[kLanes];          // the same for two pairs of 16-bit counts
+shared uvec2 staged[kStaged > 1 ? kStaged + kStaged / kOwn : 1];
+
+// Place of an element in shared memory: neighbouring invocations, kOwn elements apart, must not meet in a bank.
+int padded(int i) { return i + i / kOwn; }
 
 uint lane() { return gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID; }
 
@@ -74,15 +75,6 @@ void scanSums(vec4 own[kQuads], bool wide) {
   wait(wide);
 }
 
-// The same for one whole number.
-int scanCount(int own) {
-  vec4 sums[kQuads];
-  for (int q = 0; q < kQuads; ++q) sums[q] = vec4(0.0);
-  sums[0].x = float(own);
-  scanSums(sums, true);
-  return int(before[lane() * uint(kQuads)].x);
-}
-
 // Prefix minimum and maximum of the row's depths.
 void storeBounds(int slice, int first, float depth[kOwn]) {
   vec2 range = vec2(1.0, 0.0);
@@ -105,45 +97,47 @@ void storeBounds(int slice, int first, float depth[kOwn]) {
 
 // Leaves rank << 16 | column in element[], in the order of columns, and stores how many depths lie in bins before each.
 void sortRow(int slice, int first, int bin[kOwn]) {
-  for (int b = int(lane()); b <= kBins; b += kLanes) counts[b] = 0u;
-  barrier();
-  int unblocked = 0;
-  for (int i = 0; i < kOwn; ++i) {
-    if (bin[i] == kBins)
-      ++unblocked;
-    else
-      atomicAdd(counts[bin[i]], 1u);
-  }
-  int unblockedBefore = scanCount(unblocked);
-  // Counts become first ranks.
-  int begin = int(lane()) * kOwnBins;
-  int sum = 0;
-  for (int b = begin; b < min(begin + kOwnBins, kBins); ++b) sum += int(counts[b]);
-  barrier();  // before[] is still read above
-  sum = scanCount(sum);
-  for (int b = begin; b < min(begin + kOwnBins, kBins + 1); ++b) {
-    uint own = counts[b];
-    counts[b] = uint(sum);
-    imageStore(ranks, ivec2(slice, b), vec4(float(sum) / kCountScale));
-    sum += int(own);
-  }
-  barrier();
-  // Columns of a bin, in the order in which they arrive: counts[] of a bin ends as the first rank of the next.
-  for (int i = 0; i < kOwn; ++i)
-    if (bin[i] < kBins) element[atomicAdd(counts[bin[i]], 1u)] = uint(first + i);
-  barrier();
-  uint rank[kOwn];
-  for (int i = 0; i < kOwn; ++i) {
-    if (bin[i] == kBins) {
-      rank[i] = counts[kBins] + uint(unblockedBefore++);
-      continue;
+  for (int i = 0; i < kOwn; ++i) element[padded(first + i)] = uint(bin[i]) << 16 | uint(first + i);
+  for (int bit = 0; bit <= kBinBits; bit += 2) {
+    uint own[kOwn];
+    uvec2 counts = uvec2(0u);  // of digits 0 and 1, 2 and 3
+    for (int i = 0; i < kOwn; ++i) {
+      own[i] = element[padded(first + i)];
+      uint digit = own[i] >> (16 + bit) & 3u;
+      uint one = 1u << (16u * (digit & 1u));
+      counts += digit < 2u ? uvec2(one, 0u) : uvec2(0u, one);
     }
-    uint start = bin[i] > 0 ? counts[bin[i] - 1] : 0u;
-    rank[i] = start;
-    for (uint j = start; j < counts[bin[i]]; ++j) rank[i] += element[j] < uint(first + i) ? 1u : 0u;
+    uvec2 upTo = subgroupInclusiveAdd(counts);
+    if (gl_SubgroupInvocationID == gl_SubgroupSize - 1u) counted[gl_SubgroupID] = upTo;
+    barrier();
+    uvec2 earlier = upTo - counts;
+    uvec2 all_ = uvec2(0u);
+    for (uint i = 0u; i < gl_NumSubgroups; ++i) {
+      if (i < gl_SubgroupID) earlier += counted[i];
+      all_ += counted[i];
+    }
+    // Where the next element of each digit goes.
+    uint zero = earlier.x & 0xffffu;
+    uint one = (all_.x & 0xffffu) + (earlier.x >> 16);
+    uint two = (all_.x & 0xffffu) + (all_.x >> 16) + (earlier.y & 0xffffu);
+    uint three = (all_.x & 0xffffu) + (all_.x >> 16) + (all_.y & 0xffffu) + (earlier.y >> 16);
+    for (int i = 0; i < kOwn; ++i) {
+      uint digit = own[i] >> (16 + bit) & 3u;
+      uint to = digit == 0u ? zero++ : digit == 1u ? one++ : digit == 2u ? two++ : three++;
+      element[padded(int(to))] = own[i];
+    }
+    barrier();
   }
+  for (int b = int(lane()); b <= kBins; b += kLanes) {
+    int low = 0;
+    for (int step_ = kElements; step_ > 0; step_ >>= 1)
+      if (low + step_ <= kElements && int(element[padded(low + step_ - 1)] >> 16) < b) low += step_;
+    imageStore(ranks, ivec2(slice, b), vec4(float(low) / kCountScale));
+  }
+  uint own[kOwn];
+  for (int i = 0; i < kOwn; ++i) own[i] = element[padded(first + i)];
   barrier();
-  for (int i = 0; i < kOwn; ++i) element[first + i] = rank[i] << 16 | uint(first + i);
+  for (int i = 0; i < kOwn; ++i) element[padded(int(own[i] & 0xffffu))] = uint(first + i) << 16 | (own[i] & 0xffffu);
   barrier();
 }
 
@@ -169,7 +163,14 @@ void main() {
   for (int level = 0; level < kLevels; ++level) {
     int size = kElements >> level;
     bool wide = size > heldBySubgroup;
-    for (int i = 0; i < kOwn; ++i) own[i] = element[first + i];
+    // Weights of own elements, channel by channel.
+    float weight[kOwn * kChannels];
+    for (int i = 0; i < kOwn; ++i) {
+      own[i] = element[padded(first + i)];
+      float four[kChannelSlots];
+      columnWeight(slice, s, falloff, int(own[i] & 0xffffu), four);
+      for (int k = 0; k < kChannels; ++k) weight[i * kChannels + k] = four[k];
+    }
     int start = first;
     int zeros = 0;
     float ofZeros[kChannels];
@@ -184,11 +185,10 @@ void main() {
       for (int i = 0; i < kOwn; ++i) {
         bool one = waveletOne(int(own[i] >> 16), level, kBits);
         sums[0].x += one ? 0.0 : 1.0;
-        float weight[kChannelSlots];
-        columnWeight(slice, s, falloff, int(own[i] & 0xffffu), weight);
         for (int k = 0; k < kChannels; ++k) {
-          sums[(2 * k + 1) / 4][(2 * k + 1) % 4] += one ? 0.0 : weight[k];
-          sums[(2 * k + 2) / 4][(2 * k + 2) % 4] += weight[k];
+          float own_ = weight[i * kChannels + k];
+          sums[(2 * k + 1) / 4][(2 * k + 1) % 4] += one ? 0.0 : own_;
+          sums[(2 * k + 2) / 4][(2 * k + 2) % 4] += own_;
         }
       }
       scanSums(sums, wide);
@@ -214,20 +214,19 @@ void main() {
         }
       }
       bool one = waveletOne(int(own[i] >> 16), level, kBits);
-      element[start + (one ? size / 2 + at - start - zeros : zeros)] = own[i];
+      element[padded(start + (one ? size / 2 + at - start - zeros : zeros))] = own[i];
       zeros += one ? 0 : 1;
       vec4 texel[kVectors];
       texel[0].x = float(zeros) / kCountScale;
-      float weight[kChannelSlots];
-      columnWeight(slice, s, falloff, int(own[i] & 0xffffu), weight);
       for (int k = 0; k < kChannels; ++k) {
-        ofAll[k] += weight[k];
-        ofZeros[k] += one ? 0.0 : weight[k];
+        float own_ = weight[i * kChannels + k];
+        ofAll[k] += own_;
+        ofZeros[k] += one ? 0.0 : own_;
         texel[(k + 1) / 4][(k + 1) % 4] = waveletShare(ofZeros[k], ofAll[k]);
       }
       for (int v = 0; v < kVectors; ++v) {
         if (kStaged > 1)
-          staged[kStaged > 1 ? at * kVectors + v : 0] = uvec2(packUnorm2x16(texel[v].xy), packUnorm2x16(texel[v].zw));
+          staged[kStaged > 1 ? padded(at * kVectors + v) : 0] = uvec2(packUnorm2x16(texel[v].xy), packUnorm2x16(texel[v].zw));
         else
           imageStore(levels, levelTexel(slice, at, level * kVectors + v), texel[v]);
       }
@@ -237,7 +236,7 @@ void main() {
       int base = int(gl_SubgroupID) * heldBySubgroup;
       for (int i = int(gl_SubgroupInvocationID); i < heldBySubgroup; i += int(gl_SubgroupSize))
         for (int v = 0; v < kVectors; ++v) {
-          uvec2 packed = staged[kStaged > 1 ? (base + i) * kVectors + v : 0];
+          uvec2 packed = staged[kStaged > 1 ? padded((base + i) * kVectors + v) : 0];
           imageStore(levels, levelTexel(slice, base + i, level * kVectors + v), vec4(unpackUnorm2x16(packed.x), unpackUnorm2x16(packed.y)));
         }
       wait(false);
