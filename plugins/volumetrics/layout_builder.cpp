@@ -97,7 +97,10 @@ std::uint32_t LayoutBuilder::uniform(std::string name, std::uint32_t bytes, bool
 
 std::uint32_t LayoutBuilder::compute(ComputePass pass) {
   pass.specializations.insert(pass.specializations.end(), common_.begin(), common_.end());
-  if (pass.lightKinds == kEachLight) pass.lightKinds = kinds_;
+  if (pass.lightKinds == kEachLight) {
+    pass.lightKinds = roles_.classes.back().kinds;
+    roles_.classes.back().passes.push_back(static_cast<std::uint32_t>(passes_.size()));
+  }
   passData_.push_back(std::move(pass));
   const ComputePass& data = passData_.back();
   TyPass made{};
@@ -133,6 +136,7 @@ std::uint32_t LayoutBuilder::casters(std::string name, std::uint32_t image, std:
   TyPass made{};
   made.struct_size = sizeof(TyPass);
   made.kind = TY_PASS_CASTERS;
+  roles_.classes.back().passes.push_back(static_cast<std::uint32_t>(passes_.size()));
   made.name = names_.back().c_str();
   made.per_light = 1;
   made.light_kinds = 1u << TY_LIGHT_DIRECTIONAL;

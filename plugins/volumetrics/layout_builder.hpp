@@ -50,8 +50,8 @@ class LayoutBuilder {
   std::uint32_t layersOf(std::uint32_t image) const { return images_[image].depth; }
   std::uint32_t buffer(const char* name, std::uint64_t bytes);
   std::uint32_t uniform(std::string name, std::uint32_t bytes, bool perLight);
-  /// Kinds of light that passes for kEachLight run for from here on.
-  void lights(std::uint32_t kinds) { kinds_ = kinds; }
+  /// Kinds of light that passes for kEachLight run for from here on, those with a cookie or those without: LayoutRoles::classes keeps which.
+  void lights(std::uint32_t kinds, bool cookie) { roles_.classes.push_back({kinds, cookie, {}}); }
   /// Specialization constants that every compute pass from here on gets besides its own.
   void specializeAll(std::vector<TySpecialization> constants) { common_ = std::move(constants); }
   /// Returns the pass's index.
@@ -79,7 +79,6 @@ class LayoutBuilder {
   std::deque<std::string> names_;
   std::deque<TyTarget> targets_;
   std::vector<TySpecialization> common_;
-  std::uint32_t kinds_ = kSuns;
   LayoutRoles roles_;
   TyLayout layout_{};
 };

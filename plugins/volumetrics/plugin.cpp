@@ -14,6 +14,7 @@ struct TyInstance {
   const volumetrics::Technique* technique = nullptr;  ///< of the layout last returned; null: nothing to do
   std::uint32_t localLightsReported = 0;
   bool linearImpossible = false;  ///< as last reported
+  bool linearCookie = false;      ///< as last reported
   bool momentsMissing = false;    ///< as last reported
   bool scanImpossible = false;    ///< as last reported
 };
@@ -74,7 +75,7 @@ const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStr
   for (std::uint32_t i = 0; i < structure->light_count; ++i) {
     const bool sun = structure->light_kinds[i] == TY_LIGHT_DIRECTIONAL;
     context.directionalLights += sun ? 1 : 0;
-    if (cookies && structure->light_cookies[i] != 0) (sun ? context.sunCookies : context.localCookies) = true;
+    if (cookies && structure->light_cookies[i] != 0) ++(sun ? context.sunCookies : context.localCookies);
   }
   instance->builder.clear();
   instance->technique = nullptr;
@@ -113,6 +114,10 @@ bool prepare(TyInstance* instance, const TyFrame* frame, const TyUniformData* ou
     say(TY_LOG_WARNING, "volumetrics.rectification=linear: no projective map exists while the light or its antipode is in view; "
                         "the epipolar one is used until it does");
   instance->linearImpossible = report.linearImpossible;
+  if (report.linearCookie && !instance->linearCookie)
+    say(TY_LOG_WARNING, "volumetrics.rectification=linear: a sun with a cookie is visible all along a ray, which projective maps do not hold; "
+                        "the epipolar one is used for it");
+  instance->linearCookie = report.linearCookie;
   return true;
 } catch (const std::exception& error) {
   say(TY_LOG_ERROR, std::string("prepare failed: ") + error.what());

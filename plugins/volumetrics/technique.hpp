@@ -16,12 +16,20 @@ namespace volumetrics {
 /// A layout under construction, which owns every array that the ABI struct points to.
 class LayoutBuilder;
 
+/// Passes that serve one class of lights (stages/rectify.hpp): prepare() leaves them out for the others of their kinds.
+struct ClassPasses {
+  std::uint32_t kinds = 0;               ///< bits of TyLightKind
+  bool cookie = false;                   ///< of lights with a cookie, or of those without
+  std::vector<std::uint32_t> passes;
+};
+
 /// Passes and blocks of a layout that prepare() must find again.
 struct LayoutRoles {
   std::uint32_t rectifyPass = TY_NONE;   ///< resampling, skipped in frames with a projective map
   std::uint32_t casterPass = TY_NONE;    ///< first of the passes that rasterise projective maps, skipped in other frames
   std::uint32_t casterBlock = TY_NONE;   ///< first of their uniform blocks, one mat4 each
   std::uint32_t splits = 0;              ///< how many of both
+  std::vector<ClassPasses> classes;
   std::vector<std::uint32_t> localPasses;  ///< those that run for spot or point lights
   std::uint32_t standInClear = TY_NONE;  ///< clears the result in frames in which the only light, a local one, reaches no view ray
   bool momentsMissing = false;           ///< filtered resampling was asked for, but the host makes no moment shadow maps
@@ -31,6 +39,7 @@ struct LayoutRoles {
 /// What a prepare() has to tell people, once.
 struct FrameReport {
   bool linearImpossible = false;         ///< rectification=linear, but no projective map exists for this view
+  bool linearCookie = false;             ///< rectification=linear, but a sun has a cookie
 };
 
 /// What prepare() gets, with the values already read.
@@ -59,7 +68,7 @@ struct LayoutContext {
   std::uint32_t directionalLights = 0;
   std::uint32_t localLights() const { return structure.light_count - directionalLights; }  ///< spot and point lights
   std::uint32_t shadowMoments = TY_FORMAT_UNKNOWN;  ///< TyFormat of the host's moment shadow maps
-  bool sunCookies = false, localCookies = false;    ///< some sun, some spot or point light, has a cookie
+  std::uint32_t sunCookies = 0, localCookies = 0;    ///< suns, and spot or point lights, that have a cookie
 };
 
 struct Technique {

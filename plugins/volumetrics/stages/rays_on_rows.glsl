@@ -119,7 +119,7 @@ vec3 visibleIntegral(RowRay ray, float end) {
   float safeSine = max(ray.sine, 1e-7);
   float enter = min(ray.first / safeSine, end);
   float leave = min(ray.last / safeSine, end);
-  // Rows of a sun with a cookie hold all that is seen (but for the decimetre up to the near plane of a projective map).
+  // Rows of a sun with a cookie hold all that is seen.
   if (kShaped) return leave > 0.0 ? meanVisibility(ray) * transmittanceIntegral(sigma_t, 0.0, leave) : vec3(0.0);
   float unshadowed_ = transmittanceIntegral(sigma_t, 0.0, end);
   if (leave <= enter) return vec3(unshadowed_);

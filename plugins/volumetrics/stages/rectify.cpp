@@ -29,9 +29,9 @@ constexpr std::uint32_t kUnshadowedSize = 256;
 constexpr float kLeastDistance = 1e-3f;
 
 Rectification rectification(const Settings& settings) { return static_cast<Rectification>(settings.rectification); }
-/// Whether the maps of a class may be projective: those of suns, unless the rectification is epipolar alone.
+/// Whether the maps of a class may be projective: those of suns without cookies, unless the rectification is epipolar alone.
 bool isProjective(const Settings& settings, const LightClass& lights) {
-  return !lights.local && rectification(settings) != Rectification::kEpipolar;
+  return !lights.local && !lights.coloured && rectification(settings) != Rectification::kEpipolar;
 }
 
 /// Parts that are prefixed each on its own: `regions` of each map.
@@ -87,17 +87,19 @@ RectificationBlock chooseMap(const FrameContext& context, const Settings& settin
                              bool parted) {
   const std::uint32_t splits = context.roles.splits;
   std::optional<LinearFrame> linear;
-  if (rectification(settings) != Rectification::kEpipolar) linear = linearFrame(input, splits);
+  const bool mayBeLinear = rectification(settings) != Rectification::kEpipolar && !input.wholeView;
+  context.report.linearCookie |= rectification(settings) == Rectification::kLinear && input.wholeView;
+  if (mayBeLinear) linear = linearFrame(input, splits);
   const bool useLinear = linear && (rectification(settings) == Rectification::kLinear || isEvenEnough(*linear));
-  context.report.linearImpossible |= !linear && rectification(settings) == Rectification::kLinear;
+  context.report.linearImpossible |= mayBeLinear && !linear && rectification(settings) == Rectification::kLinear;
 
   RectificationInput wide = input;
-  wide.columns *= std::max(1u, splits);
+  if (!input.wholeView) wide.columns *= std::max(1u, splits);
   RectificationBlock map = useLinear ? linear->block : epipolarBlock(wide);
   const auto regions = static_cast<std::uint32_t>(settings.regions);
   if (!parted)
     setWhole(map);
-  else if (!useLinear && splits > 1 && map.reach > 0)
+  else if (!useLinear && mayBeLinear && splits > 1 && map.reach > 0)
     setSegmentsByDistance(map, splits, regions, input.rays.znear, linear);
   else
     setSegments(map, regions);
@@ -163,14 +165,16 @@ TyBinding resultAt5(const LightClass& lights, bool add) {
 
 std::vector<LightClass> lightClasses(const LayoutContext& context) {
   std::vector<LightClass> classes;
-  if (context.directionalLights > 0) classes.push_back({false, context.sunCookies, context.sunCookies});
-  if (context.localLights() > 0) classes.push_back({true, true, context.localCookies});
+  if (context.directionalLights > context.sunCookies) classes.push_back({false, false, false});
+  if (context.sunCookies > 0) classes.push_back({false, true, true});
+  if (context.localLights() > context.localCookies) classes.push_back({true, true, false});
+  if (context.localCookies > 0) classes.push_back({true, true, true});
   return classes;
 }
 
 void beginClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights) {
   const Settings& settings = context.settings;
-  builder.lights(lights.local ? kLocalLights : kSuns);
+  builder.lights(lights.local ? kLocalLights : kSuns, lights.coloured);
   builder.specializeAll({{13, isProjective(settings, lights) ? 1u : 0u},
                          {14, static_cast<SliceSpacing>(settings.slice_spacing) == SliceSpacing::kBorder ? 1u : 0u},
                          {15, lights.local ? 1u : 0u},
@@ -206,12 +210,14 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, co
                    (stage.slices + 63) / 64, 1, 1, kEachLight, {{0, rays}}});
   const std::vector<TyBinding> bindings{uniformAt(0, kLightBlock), bufferAt(1, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
                                         stage.filtered ? shadowMomentsAt(2) : shadowMapAt(2), storageAt(3, stage.rectified)};
-  if (lights.local)
+  if (lights.local) {
     builder.compute({"rectify", "rectify_local.comp", bindings, groups8(stage.slices), groups8(stage.rows), 1, kEachLight, {}});
-  else
-    builder.roles().rectifyPass = builder.compute(
+  } else {
+    const std::uint32_t pass = builder.compute(
         {"rectify", "rectify.comp", bindings, groups8(stage.slices), groups8(stage.rows), 1, kEachLight,
          {{0, stage.filtered ? 1u : 0u}, {1, context.shadowMoments == TY_FORMAT_RGBA16_UNORM ? 1u : 0u}}});
+    if (!lights.coloured) builder.roles().rectifyPass = pass;
+  }
   builder.debugView("rectified", "Rectified map, resampled: slices along x, columns along y; depth of the first blocker, white = none",
                     TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f);
   if (stage.filtered) {
@@ -268,6 +274,10 @@ void prepareRectify(const FrameContext& context, bool parted) {
     input.slices = static_cast<std::uint32_t>(settings.slices);
     input.spacing = static_cast<SliceSpacing>(settings.slice_spacing);
     setCookie(light, frame.rays.eye, block);
+    // A technique with a single class takes all lights of its kinds for it.
+    for (const ClassPasses& passes : context.roles.classes)
+      if (context.roles.classes.size() > 1 && (passes.kinds >> light.kind & 1u) != 0 && passes.cookie != (block.cookieFaces != 0))
+        for (const std::uint32_t pass : passes.passes) context.skip(pass, i);
     if (light.kind == TY_LIGHT_DIRECTIONAL) {
       block.sun = sunBlock(light, frame.rays.eye);
       input.towards = block.sun.towards;

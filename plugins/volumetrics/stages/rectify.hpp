@@ -14,11 +14,12 @@ constexpr std::uint32_t kFrameBlock = 0, kLightBlock = 1;
 /// The LocalBlock of each spot or point light by itself, for the dense march of debug views.
 constexpr std::uint32_t kLocalBlock = 2;
 
-/// Lights that the same passes serve: suns, or spot and point lights.
+/// Lights that the same passes serve: suns, or spot and point lights, with a cookie or without. In each frame the passes of other classes are
+/// left out for a light.
 struct LightClass {
   bool local = false;
   bool shaped = false;    ///< light rays differ in strength: cones, cookies
-  bool coloured = false;  ///< some have a cookie
+  bool coloured = false;  ///< they have a cookie
 };
 /// The classes of a layout's lights. For each, begin with beginClass() and add all passes; images are shared.
 std::vector<LightClass> lightClasses(const LayoutContext& context);
