@@ -42,7 +42,8 @@ Result<render::ImageRef> PluginEffect::addPasses(const render::EffectInput& inpu
   pending.refs = s.refs;
   for (const State::Automatic& a : s.automatics) {
     const auto choice = s.tuner.current(a.key, a.tunable.variants);
-    if (choice.settled || s.anySkipped(a.tunable.passes)) continue;
+    if (choice.settled) continue;
+    pending.timedLights = s.lightsOf(a.tunable.passes);
     pending.timedKey = a.key;
     pending.timedVariant = choice.variant;
     pending.timedPasses = a.tunable.passes;
@@ -111,7 +112,7 @@ void PluginEffect::frameFinished(const std::vector<render::PassTime>& passes) {
     if (time.owner == s.plugin.id())
       for (const std::string& name : frame.timedPasses)
         if (isRunOf(time.name, name)) milliseconds += time.milliseconds, any = true;
-  if (any) s.tuner.add(frame.timedKey, frame.timedVariant, milliseconds);
+  if (any) s.tuner.add(frame.timedKey, frame.timedVariant, milliseconds, frame.timedLights);
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> PluginEffect::counters() const { return state_->counters; }

@@ -1,6 +1,7 @@
 // What a PluginEffect keeps between frames.
 #pragma once
 
+#include <set>
 #include <deque>
 #include <optional>
 
@@ -30,6 +31,7 @@ struct PluginEffect::State {
     std::shared_ptr<const FrameRefs> refs;
     std::uint32_t slot = 0;
     std::string timedKey;  ///< the tunable that this frame times, or ""
+    std::set<std::uint32_t> timedLights;
     std::size_t timedVariant = 0;
     std::vector<std::string> timedPasses;
   };
@@ -44,7 +46,8 @@ struct PluginEffect::State {
   bool prepare(const render::EffectInput& input, const Structure& asked);
   void resolve(Structure& structure);
   /// The last prepare() left out a run of one of these passes: a frame that times nothing of them.
-  bool anySkipped(const std::vector<std::string>& passes) const;
+  /// Lights (TY_NONE: of passes that are not per light) that runs of these passes were recorded for in the frame being built.
+  std::set<std::uint32_t> lightsOf(const std::vector<std::string>& passes) const;
 
   gpu::Device& device;
   Plugin& plugin;

@@ -109,12 +109,13 @@ Result<void> PluginEffect::State::update(const Structure& wanted, bool castersOf
   return build(std::move(resolved), castersOffered);
 }
 
-bool PluginEffect::State::anySkipped(const std::vector<std::string>& passes) const {
+std::set<std::uint32_t> PluginEffect::State::lightsOf(const std::vector<std::string>& passes) const {
+  std::set<std::uint32_t> lights;
   for (const PassRun& run : built->runs)
     if (std::find(passes.begin(), passes.end(), built->layout.passes[run.pass].name) != passes.end() &&
-        built->uniforms.skipped(run.pass, run.light == TY_NONE ? 0 : run.light))
-      return true;
-  return false;
+        !built->uniforms.skipped(run.pass, run.light == TY_NONE ? 0 : run.light))
+      lights.insert(run.light);
+  return lights;
 }
 
 bool PluginEffect::State::prepare(const render::EffectInput& input, const Structure& wanted) {

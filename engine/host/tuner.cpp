@@ -18,7 +18,7 @@ double medianWithoutWarmUp(std::vector<double> times) {
 Tuner::Choice Tuner::current(const std::string& key, const std::vector<double>& variants) {
   Entry& entry = entries_[key];
   if (entry.variants == variants) return entry.choice;
-  entry = {variants, std::vector<std::vector<double>>(variants.size()), {}};
+  entry = {variants, std::vector<std::vector<double>>(variants.size()), {}, {}};
   if (variants.size() == 1) entry.choice.settled = true;
   if (const double* known = store_.find(key)) {
     const auto at = std::find(variants.begin(), variants.end(), *known);
@@ -27,11 +27,20 @@ Tuner::Choice Tuner::current(const std::string& key, const std::vector<double>& 
   return entry.choice;
 }
 
-void Tuner::add(const std::string& key, std::size_t variant, double milliseconds) {
+void Tuner::add(const std::string& key, std::size_t variant, double milliseconds, const std::set<std::uint32_t>& lights) {
   const auto found = entries_.find(key);
   if (found == entries_.end()) return;
   Entry& entry = found->second;
   if (entry.choice.settled || variant != entry.choice.variant) return;
+  if (lights != entry.lights) {
+    const bool begun = !entry.times.front().empty();
+    entry.lights = lights;
+    if (begun) {
+      entry.times.assign(entry.variants.size(), {});
+      entry.choice.variant = 0;
+      return;
+    }
+  }
   entry.times[variant].push_back(milliseconds);
   if (entry.times[variant].size() < kFrames) return;
   if (++entry.choice.variant < entry.variants.size()) return;

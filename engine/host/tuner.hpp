@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,14 +40,16 @@ class Tuner {
   Choice current(const std::string& key, const std::vector<double>& variants);
   /// The variant that was found fastest, in this program or an earlier one; null if it was not measured.
   const double* remembered(const std::string& key) const { return store_.find(key); }
-  /// The time of one frame that ran with `variant`; ignored unless it is the one being timed.
-  void add(const std::string& key, std::size_t variant, double milliseconds);
+  /// The time of one frame that ran with `variant`; ignored unless it is the one being timed. `lights`: those that the timed passes ran for;
+  /// variants are compared on the same ones, so that a frame with others starts the timing anew.
+  void add(const std::string& key, std::size_t variant, double milliseconds, const std::set<std::uint32_t>& lights = {});
 
  private:
   struct Entry {
     std::vector<double> variants;
     std::vector<std::vector<double>> times;
     Choice choice;
+    std::set<std::uint32_t> lights;
   };
   TunerStore store_;
   std::map<std::string, Entry> entries_;

@@ -39,6 +39,21 @@ TEST(Tuner, timesOfAnotherVariantAreIgnored) {
   EXPECT_FALSE(tuner.current("k", kVariants).settled);
 }
 
+// Lights that come into view while variants are timed would make the later ones look slow.
+TEST(Tuner, variantsAreComparedOnTheSameLights) {
+  Tuner tuner{TunerStore({})};
+  int frame = 0;
+  while (!tuner.current("k", kVariants).settled && frame < 100) {
+    const std::size_t variant = tuner.current("k", kVariants).variant;
+    const bool second = frame >= 6;  // variant 1 is being timed
+    const double once = 3.0 - static_cast<double>(variant);  // the last is the fastest
+    tuner.add("k", variant, second ? 10 * once : once, second ? std::set<std::uint32_t>{0, 1} : std::set<std::uint32_t>{0});
+    ++frame;
+  }
+  EXPECT_EQ(frame, 7 + 12);
+  EXPECT_EQ(tuner.current("k", kVariants).variant, 2u);
+}
+
 TEST(Tuner, withoutTimesStaysAtTheFirst) {
   Tuner tuner{TunerStore({})};
   for (int i = 0; i < 50; ++i) EXPECT_EQ(tuner.current("k", kVariants).variant, 0u);
