@@ -16,9 +16,9 @@
         "Stretches the rectified depth towards the light, where epipolar depth has little precision: the normalised "    \
         "depth is raised to 1/(1 + warp).")                                                                              \
   INT(columns, "volumetrics.columns", "Columns", 1024, 64, 4096, 64, 4096, "texels", TY_PARAMETER_STRUCTURAL,            \
-      "Samples along a slice of the rectified map.")                                                                     \
+      "Samples along a slice of the rectified map; of further lights at most so many, by their share of the screen.")                                                                     \
   INT(slices, "volumetrics.slices", "Slices", 1024, 64, 4096, 64, 4096, "texels", TY_PARAMETER_STRUCTURAL,               \
-      "Epipolar slices of the rectified map.")                                                                           \
+      "Epipolar slices of the rectified map; of further lights at most so many, by their share of the screen.")                                                                           \
   ENUM(slice_spacing, "volumetrics.slice_spacing", "Slice spacing", 0, 0, "azimuth|border", TY_PARAMETER_STRUCTURAL,     \
        "Slices uniform in azimuth, or spaced evenly along the border of the screen.")                                    \
   INT(reference_rays, "volumetrics.reference_rays", "Reference rays", 3, 1, 6, 1, 6, "", TY_PARAMETER_STRUCTURAL,        \
@@ -37,12 +37,12 @@
       "and joined with the ray's own weights.")                                                                          \
   ENUM(prefix_scheme, "volumetrics.prefix_scheme", "Prefix scheme", 0, 0, "auto|row|block|scan",                         \
        TY_PARAMETER_STRUCTURAL,                                                                                          \
-       "One invocation a slice, 8x8 blocks (Peters, appendix C), or a workgroup scan; auto measures which is fastest.")  \
+       "One invocation a slice, 8x8 blocks (Peters, appendix C; of exact: eight nodes a slice), or a workgroup scan; auto measures which is fastest.")  \
   ENUM(row_filter, "volumetrics.row_filter", "Row filter", 1, 0, "nearest|linear|mipmapped", TY_PARAMETER_STRUCTURAL,    \
        "Interpolation between slices when the prefix is read; mipmapped also averages up to eight slices that share a pixel, by mips as " \
-       "far as they blur no more than a 512th of the columns, by taps beyond. min_max, whose rows are depths, takes it as linear.")                                                                    \
+       "far as they blur no more than a 512th of the columns, by taps beyond. min_max and exact, which look for depths, take it as linear.")                                                                    \
   BOOL(filtered_resampling, "volumetrics.filtered_resampling", "Filtered resampling", 0, 0, TY_PARAMETER_STRUCTURAL,     \
-       "Resample from a filtered moment shadow map instead of single shadow-map texels.")                                \
+       "Resample from a filtered moment shadow map instead of single shadow-map texels (suns without a cookie).")                                \
   INT(epipole_block, "volumetrics.epipole_block", "Epipole block", 0, 0, 64, 0, 64, "pixels", 0,                         \
       "Radius of the block around the light on screen (and its antipode) in which rays are marched densely.")            \
   BOOL(near_correction, "volumetrics.near_correction", "Near correction", 0, 0, 0,                                       \

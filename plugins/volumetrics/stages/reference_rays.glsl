@@ -25,9 +25,11 @@ float referenceKey(Slice s, int k, int count) {
   return frame.rectified.weights == kWeightsTransmittance ? frame.rays.sigma_t * referenceCosecant(node, referenceKappa()) : 0.0;
 }
 
-// A reference ray gives no column less than these leave it: optical depth of the way, and share of the range's window.
+// A reference ray gives no column less than these leave it: optical depth of the way, and share of the range's window. Its own psi ends at pi - theta,
+// where others that it stands for still see columns. Found on five views of two levels with lamps: with 4 and 0.02 a view away from the
+// lamp has an error of 0.15 with three reference rays, with these 0.034, and no other is 0.001 worse.
 const float kMostWay = 0.5;
-const float kLeastWindow = 0.6;
+const float kLeastWindow = 0.7;
 
 float rangeOverDistance() { return light.local.range / light.distance; }
 

@@ -1,4 +1,4 @@
-// Single scattering of one sun from the prefix of the Fourier basis: a dot product a look-up (Klehm et al. 2014, equations 8 to 10,
+// Single scattering of one light from the prefix of the Fourier basis: a dot product a look-up (Klehm et al. 2014, equations 8 to 10,
 // listing 4). Inputs: scene depth (D32, reversed); Slice buffer; prefix of fourier_prefix.comp; shadow map (epipole block). Output:
 // RGBA32F as in ray_march.comp. The steps around it: stages/rays_on_rows.glsl and stages/prefix_lookup.glsl.
 // Deviation: the result is clamped to [0, 1].

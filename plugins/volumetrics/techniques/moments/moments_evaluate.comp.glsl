@@ -1,4 +1,4 @@
-// Single scattering of one sun from the prefix of moments (Peters et al. 2017, sections 5.3 and 5.4).
+// Single scattering of one light from the prefix of moments (Peters et al. 2017, sections 5.3 and 5.4).
 // Inputs: scene depth (D32, reversed); Slice buffer; the prefix images of moments_prefix.comp; shadow map (epipole block). Output:
 // RGBA32F as in ray_march.comp. The steps around it: stages/rays_on_rows.glsl and stages/prefix_lookup.glsl.
 #version 460
