@@ -29,7 +29,8 @@ TyBinding shadowMomentsAt(std::uint32_t binding) {
   return bind(binding, TY_SOURCE_SHADOW_MOMENTS, 0, TY_ACCESS_SAMPLED, TY_SAMPLER_LINEAR_MIPMAP_CLAMP);
 }
 
-TyBinding lightCookieAt(std::uint32_t binding) {
+TyBinding lightCookieAt(std::uint32_t binding, bool cookies) {
+  if (!cookies) return shadowMapAt(binding);
   return bind(binding, TY_SOURCE_LIGHT_COOKIE, 0, TY_ACCESS_SAMPLED, TY_SAMPLER_LINEAR_MIPMAP_REPEAT);
 }
 TyBinding outputAt(std::uint32_t binding, TyAccess access) { return bind(binding, TY_SOURCE_OUTPUT, 0, access); }

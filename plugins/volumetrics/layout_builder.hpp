@@ -17,7 +17,8 @@ TyBinding uniformAt(std::uint32_t binding, std::uint32_t block);
 TyBinding sceneDepthAt(std::uint32_t binding);
 TyBinding shadowMapAt(std::uint32_t binding);
 TyBinding shadowMomentsAt(std::uint32_t binding);
-TyBinding lightCookieAt(std::uint32_t binding);
+/// The light's cookie, or, where no light has one, its shadow map, which a specialization then never reads.
+TyBinding lightCookieAt(std::uint32_t binding, bool cookies);
 TyBinding outputAt(std::uint32_t binding, TyAccess access);
 TyBinding sampledAt(std::uint32_t binding, std::uint32_t image, TySampler sampler = TY_SAMPLER_NEAREST_CLAMP);
 TyBinding storageAt(std::uint32_t binding, std::uint32_t image, TyAccess access = TY_ACCESS_STORAGE_WRITE);

@@ -13,6 +13,7 @@ struct TyInstance {
   volumetrics::LayoutBuilder builder;
   const volumetrics::Technique* technique = nullptr;  ///< of the layout last returned; null: nothing to do
   std::uint32_t localLightsReported = 0;
+  bool cookiesReported = false;
   bool linearImpossible = false;  ///< as last reported
   bool linearCookie = false;      ///< as last reported
   bool momentsMissing = false;    ///< as last reported
@@ -88,6 +89,11 @@ const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStr
       return nullptr;
     }
     reportLocalLights(*instance, instance->technique->localLights ? 0 : context.localLights());
+    const bool cookiesLeftOut = !instance->technique->localLights && context.sunCookies > 0;
+    if (cookiesLeftOut && !instance->cookiesReported)
+      say(TY_LOG_WARNING, std::to_string(context.sunCookies) + " directional light(s) scatter without their cookie with volumetrics.technique=" +
+                              instance->technique->id);
+    instance->cookiesReported = cookiesLeftOut;
     instance->technique->layout(context, instance->builder);
   }
   const bool missing = instance->builder.roles().momentsMissing;

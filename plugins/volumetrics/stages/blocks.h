@@ -50,6 +50,13 @@ struct LocalBlock {
   vec3 faceX[6], faceY[6];
 };
 
+// The image that a light shines through (TyLight.cookie_from_world), for points relative to the eye.
+struct CookieBlock {
+  mat4 fromEye;
+  uint faces;         // 0: no cookie, 1, or 6 of a point light
+  uint repeats;       // bit 0 along x, bit 1 along y
+};
+
 const uint kMaxPolygon = 24u;
 const uint kMaxBorderEdges = 5u;
 const uint kMaxSplits = 4u;

@@ -1,5 +1,5 @@
-// The image that a light shines through (TyLight.cookie_from_world), filtered over a footprint. Needs stages/rectified.h, stages/rows.glsl and
-// the binding `cookie`.
+// The image that a light shines through (CookieBlock), filtered over a footprint. Needs stages/blocks.h and the binding `cookieImage`: linear light,
+// all mips, repeating.
 
 // Vulkan 1.3, "Cube Map Face Selection": (s, -t, 0, major axis), linear in the vector while the face stays.
 vec4 cookieCube(uint face, vec3 d) {
@@ -11,14 +11,13 @@ vec4 cookieCube(uint face, vec3 d) {
   return vec4(-d.x, d.y, 0.0, -d.z);
 }
 
-// Colour at a point, relative to the eye for a sun and to the light for others, whose neighbours in the map differ by `along` and `across`.
-vec3 cookieColour(vec3 point, vec3 along, vec3 across) {
-  vec3 origin = kLocal ? light.local.position : vec3(0.0);
-  vec4 p = light.cookieFromEye * vec4(origin + point, 1.0);
-  vec4 dx = light.cookieFromEye * vec4(along, 0.0);
-  vec4 dy = light.cookieFromEye * vec4(across, 0.0);
+// Colour at a point relative to the eye, averaged over a footprint of the sides `along` and `across`, m.
+vec3 cookieColour(CookieBlock block, vec3 point, vec3 along, vec3 across) {
+  vec4 p = block.fromEye * vec4(point, 1.0);
+  vec4 dx = block.fromEye * vec4(along, 0.0);
+  vec4 dy = block.fromEye * vec4(across, 0.0);
   uint face = 0u;
-  if (light.cookieFaces == 6u) {
+  if (block.faces == 6u) {
     vec3 m = abs(p.xyz);
     face = m.x >= m.y && m.x >= m.z ? (p.x < 0.0 ? 1u : 0u) : m.y >= m.z ? (p.y < 0.0 ? 3u : 2u) : (p.z < 0.0 ? 5u : 4u);
     p = cookieCube(face, p.xyz);
@@ -29,13 +28,13 @@ vec3 cookieColour(vec3 point, vec3 along, vec3 across) {
   vec2 place = clamp(p.xy / p.w, -1e6, 1e6);
   vec2 gx = (dx.xy - place * dx.w) / p.w;
   vec2 gy = (dy.xy - place * dy.w) / p.w;
-  float side = float(textureSize(cookie, 0).x);
+  float side = float(textureSize(cookieImage, 0).x);
   float texels = 0.5 * side * sqrt(max(dot(gx, gx), dot(gy, gy)));
-  float lod = clamp(log2(max(texels, 1.0)), 0.0, float(textureQueryLevels(cookie)) - 1.0);
+  float lod = clamp(log2(max(texels, 1.0)), 0.0, float(textureQueryLevels(cookieImage)) - 1.0);
   vec2 uv = vec2(0.5 + 0.5 * place.x, 0.5 - 0.5 * place.y);
   // The sampler repeats: where the image does not, no filter may reach across its border.
   float border = 0.5 / max(1.0, floor(side * exp2(-ceil(lod))));
   vec2 inside = clamp(uv, border, 1.0 - border);
-  uv = vec2((light.cookieRepeats & 1u) != 0u ? uv.x : inside.x, (light.cookieRepeats & 2u) != 0u ? uv.y : inside.y);
-  return textureLod(cookie, vec3(uv, float(face)), lod).rgb;
+  uv = vec2((block.repeats & 1u) != 0u ? uv.x : inside.x, (block.repeats & 2u) != 0u ? uv.y : inside.y);
+  return textureLod(cookieImage, vec3(uv, float(face)), lod).rgb;
 }

@@ -7,7 +7,6 @@
 #include "lib/medium.glsl"
 #include "stages/blocks.h"
 #include "stages/rays.glsl"
-#include "stages/march.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool kFirstLight = true;
@@ -16,6 +15,13 @@ layout(binding = 1, scalar) uniform Light { SunBlock sun; };
 layout(binding = 2) uniform sampler2D sceneDepth;
 layout(binding = 3) uniform sampler2DArray shadowMap;
 layout(binding = 4, rgba32f) uniform image2D dense;
+layout(constant_id = 1) const bool kCookies = false;
+layout(binding = 5, scalar) uniform Cookie { CookieBlock marchCookie; };
+layout(binding = 6) uniform sampler2DArray cookieImage;
+
+#define TY_COOKIES kCookies
+#include "stages/march_cookie.glsl"
+#include "stages/march.glsl"
 
 const int kMostSteps = 8192;
 
@@ -26,7 +32,7 @@ void main() {
   float perAxial = length(direction);
   direction /= perAxial;
   float end = perAxial * axialDistance(rays, texelFetch(sceneDepth, ivec2(pixel), 0).x);
-  float integral = denselyMarched(sun, shadowMap, direction, end, rays.sigma_t, kMostSteps);
+  vec3 integral = denselyMarched(sun, shadowMap, direction, end, rays.sigma_t, kMostSteps);
   float phase = phaseHenyeyGreenstein(dot(direction, sun.towards), rays.g);
   vec3 radiance = rays.albedo * rays.sigma_t * phase * integral * sun.irradiance;
   vec4 before = kFirstLight ? vec4(0.0) : imageLoad(dense, ivec2(pixel));

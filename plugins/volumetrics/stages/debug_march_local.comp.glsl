@@ -8,7 +8,6 @@
 #include "lib/local_light.glsl"
 #include "stages/blocks.h"
 #include "stages/rays.glsl"
-#include "stages/march_local.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, scalar) uniform Frame { RayBlock rays; };
@@ -16,6 +15,13 @@ layout(binding = 1, scalar) uniform Light { LocalBlock light; };
 layout(binding = 2) uniform sampler2D sceneDepth;
 layout(binding = 3) uniform sampler2DArray shadowMap;
 layout(binding = 4, rgba32f) uniform image2D dense;
+layout(constant_id = 1) const bool kCookies = false;
+layout(binding = 5, scalar) uniform Cookie { CookieBlock marchCookie; };
+layout(binding = 6) uniform sampler2DArray cookieImage;
+
+#define TY_COOKIES kCookies
+#include "stages/march_cookie.glsl"
+#include "stages/march_local.glsl"
 
 const int kMostSteps = 8192;
 

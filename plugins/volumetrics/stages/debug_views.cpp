@@ -5,7 +5,7 @@
 namespace volumetrics {
 
 void addDifferenceView(const LayoutContext& context, LayoutBuilder& builder, std::uint32_t frameBlock, std::uint32_t sunBlock,
-                       std::uint32_t localBlock) {
+                       std::uint32_t localBlock, std::uint32_t cookieBlock) {
   const std::uint32_t width = context.structure.width, height = context.structure.height;
   const std::uint32_t dense = builder.image("dense march", TY_FORMAT_RGBA32_FLOAT, width, height);
   const std::uint32_t difference = builder.image("difference", TY_FORMAT_RGBA32_FLOAT, width, height);
@@ -17,13 +17,15 @@ void addDifferenceView(const LayoutContext& context, LayoutBuilder& builder, std
   if (context.directionalLights > 0)
     builder.compute({"debug dense march", "debug_march.comp",
                      {uniformAt(0, frameBlock), uniformAt(1, sunBlock), sceneDepthAt(2), shadowMapAt(3),
-                      storageAt(4, dense, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE)},
-                     groups8(width), groups8(height), 1, kSuns, {{0, add ? 0u : 1u}}});
+                      storageAt(4, dense, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE), uniformAt(5, cookieBlock),
+                      lightCookieAt(6, context.sunCookies > 0)},
+                     groups8(width), groups8(height), 1, kSuns, {{0, add ? 0u : 1u}, {1, context.sunCookies > 0 ? 1u : 0u}}});
   if (local)
     builder.compute({"debug dense march local", "debug_march_local.comp",
                      {uniformAt(0, frameBlock), uniformAt(1, localBlock), sceneDepthAt(2), shadowMapAt(3),
-                      storageAt(4, dense, TY_ACCESS_STORAGE_READ_WRITE)},
-                     groups8(width), groups8(height), 1, kLocalLights, {}});
+                      storageAt(4, dense, TY_ACCESS_STORAGE_READ_WRITE), uniformAt(5, cookieBlock),
+                      lightCookieAt(6, context.localCookies > 0)},
+                     groups8(width), groups8(height), 1, kLocalLights, {{1, context.localCookies > 0 ? 1u : 0u}}});
   builder.compute({"debug difference", "debug_difference.comp",
                    {outputAt(0, TY_ACCESS_SAMPLED), sampledAt(1, dense), storageAt(2, difference)},
                    groups8(width), groups8(height), 1, 0, {}});
@@ -65,7 +67,7 @@ void addRowLayout(const LayoutContext& context, LayoutBuilder& builder,
   addRowBlocks(builder);
   const bool add = beginLights(context, builder, kFrameBlock);
   for (const LightClass& lights : lightClasses(context)) addClass(context, builder, lights, add);
-  if (context.structure.light_count > 0) addDifferenceView(context, builder, kFrameBlock, kLightBlock, kLocalBlock);
+  if (context.structure.light_count > 0) addDifferenceView(context, builder, kFrameBlock, kLightBlock, kLocalBlock, kCookieBlock);
 }
 
 }  // namespace volumetrics

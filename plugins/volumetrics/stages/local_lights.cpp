@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 namespace volumetrics {
@@ -61,6 +63,16 @@ LocalBlock localBlock(const TyLight& light, const glm::vec3& eye) {
     block.depthOffset = static_cast<float>(-glm::dot(rows[2], position) / scale);
     block.texelAngle = texelAngle(scale / std::max(glm::length(glm::dvec3(rows[0])), 1e-30), light.shadow_size);
   }
+  return block;
+}
+
+CookieBlock cookieBlock(const TyLight& light, const glm::vec3& eye) {
+  CookieBlock block{};
+  // A host of before the cookies hands in a shorter struct.
+  if (light.struct_size < offsetof(TyLight, cookie_repeats) + sizeof light.cookie_repeats) return block;
+  block.faces = light.cookie_faces;
+  block.repeats = light.cookie_repeats;
+  block.fromEye = glm::mat4(glm::dmat4(glm::make_mat4(light.cookie_from_world)) * glm::translate(glm::dmat4(1), glm::dvec3(eye)));
   return block;
 }
 

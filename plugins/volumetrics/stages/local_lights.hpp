@@ -10,6 +10,9 @@ namespace volumetrics {
 /// A spot or point light and its perspective shadow map, relative to `eye` (m, world).
 LocalBlock localBlock(const TyLight& light, const glm::vec3& eye);
 
+/// The cookie of a light of any kind; faces 0 without one, or with a host of before the cookies.
+CookieBlock cookieBlock(const TyLight& light, const glm::vec3& eye);
+
 /// False only if the light's cone and range lie outside the view's frustum (or it is black): then no view ray scatters its light.
 bool reachesView(const LocalBlock& light, const RayBlock& rays);
 

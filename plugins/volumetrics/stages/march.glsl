@@ -1,5 +1,5 @@
 // One march through a sun's shadow map: what ray_march is made of, and what other techniques call for the few rays that rows
-// cannot answer. Needs lib/medium.glsl and stages/blocks.h before it.
+// cannot answer. Needs lib/medium.glsl, stages/blocks.h and stages/march_cookie.glsl before it.
 // Samples are spent only where a ray is inside the prism that the shadow map covers; outside it everything is lit. A stratum's
 // weight is the exact integral of the transmittance over it; visibility is sampled at `offset` in [0, 1] of each stratum.
 
@@ -54,15 +54,37 @@ float blockedByTransmittance(SunBlock sun, sampler2DArray shadowMap, vec3 step_,
   return blocked * inverse;
 }
 
-// Integral of visible transmittance over [0, end] by a march fine enough to meet every shadow texel on the way, as long as `most` samples,
-// which a device's limit of 65,535 iterations asks for, suffice for that.
-float denselyMarched(SunBlock sun, sampler2DArray shadowMap, vec3 direction, float end, float sigma_t, int most) {
+// Integral of visible transmittance times the cookie's colour over [0, end]: strata over the whole ray, since beyond the shadow map's prism, where
+// nothing is shadowed, the colour still changes.
+vec3 colouredMarch(SunBlock sun, sampler2DArray shadowMap, vec3 direction, float end, float sigma_t, int steps, float offset,
+                   bool byTransmittance) {
   vec3 step_ = shadowStep(sun, direction);
   vec2 interval = shadowedPart(sun, step_, end);
+  float width = end / float(steps);
+  float falloff = exp(-sigma_t * width);
+  float all_ = transmittanceIntegral(sigma_t, 0.0, end);
+  float weight = byTransmittance ? all_ / float(steps) : transmittanceIntegral(sigma_t, 0.0, width);
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < steps; ++i) {
+    float at = float(i) + offset;
+    float t = byTransmittance ? distanceAtTransmittanceShare(sigma_t, end, at / float(steps)) : at * width;
+    bool inside = t >= interval.x && t <= interval.y;
+    if (!inside || blockedAt(sun, shadowMap, sun.shadowEye + t * step_) == 0.0) sum += weight * cookieAlong(direction, t);
+    if (!byTransmittance) weight *= falloff;
+  }
+  return sum;
+}
+
+// Integral of visible transmittance over [0, end] by a march fine enough to meet every shadow texel on the way, as long as `most` samples,
+// which a device's limit of 65,535 iterations asks for, suffice for that.
+vec3 denselyMarched(SunBlock sun, sampler2DArray shadowMap, vec3 direction, float end, float sigma_t, int most) {
+  vec3 step_ = shadowStep(sun, direction);
+  vec2 interval = shadowedPart(sun, step_, end);
+  if (hasCookie()) return colouredMarch(sun, shadowMap, direction, end, sigma_t, most, 0.5, true);
   float integral = transmittanceIntegral(sigma_t, 0.0, end);
-  if (interval.y <= interval.x) return integral;
+  if (interval.y <= interval.x) return vec3(integral);
   float texels = (interval.y - interval.x) * (abs(step_.x) + abs(step_.y));
   int steps = clamp(int(texels * 2.0), 256, most);
-  return integral - transmittanceIntegral(sigma_t, interval.x, interval.y) *
-                        blockedByDistance(sun, shadowMap, step_, interval, sigma_t, steps, 0.5);
+  return vec3(integral - transmittanceIntegral(sigma_t, interval.x, interval.y) *
+                             blockedByDistance(sun, shadowMap, step_, interval, sigma_t, steps, 0.5));
 }

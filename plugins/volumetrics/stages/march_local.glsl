@@ -1,6 +1,6 @@
 // One march through the light of a spot or point light and its shadow map: what ray_march is made of, and what other techniques
-// call for the few rays near the light that rows cannot answer. Needs lib/medium.glsl, lib/local_light.glsl and stages/blocks.h before
-// it, and nothing else.
+// call for the few rays near the light that rows cannot answer. Needs lib/medium.glsl, lib/local_light.glsl and stages/blocks.h before it, and
+// stages/march_cookie.glsl.
 // What is summed along a view ray is V p a I exp(-sigma_t (t + d)) / d^2 dt, d the distance from the light, a range and cone, I the
 // colour: times sigma_s it is the radiance. Points are relative to the eye. Samples are spent only where the light's range and cone reach the ray.
 // A stratum's weight is the exact integral of dt/d^2 over it times the rest in its middle, and a quadrature where one angle spans far too
@@ -9,8 +9,10 @@
 // The integral diverges for a ray through the light itself: a ray that passes closer counts as passing at this distance, m.
 const float kClosestPass = 1e-3;
 
-// Candela towards a point at `fromLight` from the light. A cookie's colour belongs here, and nowhere else.
-vec3 lightColour(LocalBlock light, vec3 fromLight) { return light.intensity; }
+// Candela towards a point of a view ray. The cookie belongs here, and nowhere else (stages/march_cookie.glsl).
+vec3 lightColour(LocalBlock light, vec3 direction, float t) {
+  return hasCookie() ? light.intensity * cookieAlong(direction, t) : light.intensity;
+}
 
 // Face of the map that a direction from the light falls on.
 uint localFace(LocalBlock light, vec3 fromLight) {
@@ -46,7 +48,7 @@ vec3 localScatter(LocalBlock light, vec3 direction, float t, float sigma_t, floa
   float d2 = max(dot(w, w), kClosestPass * kClosestPass);
   float d = sqrt(d2);
   float rest = localAttenuation(d2, light.range, dot(w, light.axis) / d, light.coneScale, light.coneOffset) / d2;
-  return lightColour(light, w) * (rest * phaseHenyeyGreenstein(-dot(w, direction) / d, g) * exp(-sigma_t * (t + d)));
+  return lightColour(light, direction, t) * (rest * phaseHenyeyGreenstein(-dot(w, direction) / d, g) * exp(-sigma_t * (t + d)));
 }
 
 // A view ray as the light sees it (lib/local_light.glsl): s = t - closest.
@@ -78,7 +80,7 @@ vec3 localRest(LocalBlock light, LocalRay ray, float s, float sigma_t, float g) 
   float d2 = s * s + ray.pass * ray.pass;
   float d = sqrt(d2);
   float cosine = (ray.across + s * ray.along) / d;
-  return lightColour(light, ray.nearest + s * ray.direction) *
+  return lightColour(light, ray.direction, ray.closest + s) *
          (localAttenuation(d2, light.range, cosine, light.coneScale, light.coneOffset) * phaseHenyeyGreenstein(-s / d, g) *
           exp(-sigma_t * (ray.closest + s + d)));
 }

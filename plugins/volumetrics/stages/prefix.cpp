@@ -76,7 +76,8 @@ void addPrefix(const LayoutContext& context, LayoutBuilder& builder, const Recti
   ComputePass evaluate{"evaluate", technique.evaluateShader,
                        {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2),
                         bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4),
-                        resultAt5(stage.lights, add), sampledAt(6, bounds), unshadowedAt21(stage), litAt22(stage)},
+                        resultAt5(stage.lights, add), sampledAt(6, bounds), unshadowedAt21(stage), litAt22(stage),
+                        lightCookieAt(23, stage.lights.coloured)},
                        groups8(context.structure.width), groups8(context.structure.height), 1, kEachLight,
                        technique.evaluateConstants};
   for (std::size_t i = 0; i < technique.images.size(); ++i)

@@ -3,12 +3,19 @@
 //   vec3 meanVisibility(RowRay ray)     mean visibility, weighted by transmittance, of the columns before the ray's end, times the relative
 //                                       strength of their light rays where those differ (kShaped)
 // and after the bindings frame, light, slices, sceneDepth, shadowMap, scatter, unshadowed (stages/unshadowed.comp.glsl), and the constants
-// kRowFilter and kFirstLight. A debug view that needs the functions only defines TY_OWN_MAIN; one that defines TY_SHOWN, a vec4 with A >= 0, has that stored instead of the radiance.
+// kRowFilter and kFirstLight. A technique for lights with cookies defines TY_ROW_COOKIES and has the image bound
+// at 23. A debug view that needs the functions only defines TY_OWN_MAIN; one that defines TY_SHOWN, a vec4 with A >= 0, has that stored instead of the radiance.
 const int kRowNearest = 0, kRowLinear = 1, kRowMipmapped = 2;
 const int kMostBlockSteps = 2048;
 
 #include "stages/rows.glsl"
 #include "stages/rays.glsl"
+#ifdef TY_ROW_COOKIES
+#define marchCookie light.cookie
+#define TY_COOKIES kColoured
+layout(binding = 23) uniform sampler2DArray cookieImage;
+#endif
+#include "stages/march_cookie.glsl"
 #include "stages/march.glsl"
 #include "stages/march_local.glsl"
 
@@ -148,7 +155,7 @@ void main() {
   bool interpolate = kRowFilter != kRowNearest;
   if (frame.rectified.epipole_block > 0 && inEpipoleBlock(vec2(pixel) + 0.5)) {
     integral = kLocal ? denselyMarchedLocal(light.local, shadowMap, direction, end, sigma_t, frame.rays.g, kMostBlockSteps)
-                      : vec3(denselyMarched(light.sun, shadowMap, direction, end, sigma_t, kMostBlockSteps));
+                      : denselyMarched(light.sun, shadowMap, direction, end, sigma_t, kMostBlockSteps);
   } else {
     integral = visibleIntegral(rowRay(local, end, interpolate), end);
     // Klehm et al. 2014, section 3.1: what the row says of the stretch up to the camera's near plane is taken off again.

@@ -39,9 +39,7 @@ struct RectifiedLightBlock {
   LocalBlock local;      // of a spot or point light; of sun.* such a light has `towards` alone
   float distance;        // of a spot or point light from the eye, m
   float thetaLow, thetaHigh;  // inclinations that the table of unshadowed integrals covers, rad
-  mat4 cookieFromEye;    // TyLight.cookie_from_world for points relative to the eye
-  uint cookieFaces;      // 0: no cookie
-  uint cookieRepeats;
+  CookieBlock cookie;
 };
 
 TY_SHARED_END

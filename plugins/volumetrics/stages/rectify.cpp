@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 #include <optional>
 
@@ -111,15 +110,6 @@ RectificationBlock chooseMap(const FrameContext& context, const Settings& settin
   return map;
 }
 
-void setCookie(const TyLight& light, const glm::vec3& eye, RectifiedLightBlock& block) {
-  // A host of before the cookies hands in a shorter struct.
-  if (light.struct_size < offsetof(TyLight, cookie_repeats) + sizeof light.cookie_repeats) return;
-  block.cookieFaces = light.cookie_faces;
-  block.cookieRepeats = light.cookie_repeats;
-  const glm::dmat4 worldFromEye = glm::translate(glm::dmat4(1), glm::dvec3(eye));
-  block.cookieFromEye = glm::mat4(glm::dmat4(glm::make_mat4(light.cookie_from_world)) * worldFromEye);
-}
-
 /// The most important light has the map that the settings ask for; further ones have as much as they have of the screen.
 void shareOfScreen(const FrameContext& context, RectificationInput& input, std::uint32_t light, const LocalBlock& local) {
   if (light == 0) return;
@@ -140,7 +130,7 @@ void addShine(LayoutBuilder& builder, RectifyStage& stage, std::uint32_t rays, c
   const TyBinding slices = bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ);
   builder.compute({"shine", "shine.comp",
                    {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), slices,
-                    stage.lights.coloured ? lightCookieAt(3) : sampledAt(3, stage.rectified), storageAt(4, stage.weights)},
+                    lightCookieAt(3, stage.lights.coloured), storageAt(4, stage.weights)},
                    groups8(stage.slices), groups8(stage.rows), 1, kEachLight, {{1, rays}}});
   const std::uint32_t parts = stage.rows / static_cast<std::uint32_t>(settings.columns) * static_cast<std::uint32_t>(settings.regions);
   builder.compute({"lit", "lit.comp",
@@ -156,6 +146,7 @@ void addRowBlocks(LayoutBuilder& builder) {
   builder.uniform("frame", sizeof(RectifiedBlock), false);
   builder.uniform("light", sizeof(RectifiedLightBlock), true);
   builder.uniform("local light", sizeof(LocalBlock), true);
+  builder.uniform("cookie", sizeof(CookieBlock), true);
 }
 
 TyBinding resultAt5(const LightClass& lights, bool add) {
@@ -273,15 +264,15 @@ void prepareRectify(const FrameContext& context, bool parted) {
     input.columns = static_cast<std::uint32_t>(settings.columns);
     input.slices = static_cast<std::uint32_t>(settings.slices);
     input.spacing = static_cast<SliceSpacing>(settings.slice_spacing);
-    setCookie(light, frame.rays.eye, block);
+    block.cookie = context.block<CookieBlock>(kCookieBlock, i) = cookieBlock(light, frame.rays.eye);
     // A technique with a single class takes all lights of its kinds for it.
     for (const ClassPasses& passes : context.roles.classes)
-      if (context.roles.classes.size() > 1 && (passes.kinds >> light.kind & 1u) != 0 && passes.cookie != (block.cookieFaces != 0))
+      if (context.roles.classes.size() > 1 && (passes.kinds >> light.kind & 1u) != 0 && passes.cookie != (block.cookie.faces != 0))
         for (const std::uint32_t pass : passes.passes) context.skip(pass, i);
     if (light.kind == TY_LIGHT_DIRECTIONAL) {
       block.sun = sunBlock(light, frame.rays.eye);
       input.towards = block.sun.towards;
-      input.wholeView = block.cookieFaces != 0;
+      input.wholeView = block.cookie.faces != 0;
       for (std::size_t corner = 0; corner < 8; ++corner) input.casterCorners[corner] = glm::make_vec3(light.caster_corners[corner]);
       block.map = chooseMap(context, settings, input, i, parted);
       const glm::vec3 a = block.sun.towards;

@@ -13,6 +13,8 @@ using namespace tyndall::shared;
 constexpr std::uint32_t kFrameBlock = 0, kLightBlock = 1;
 /// The LocalBlock of each spot or point light by itself, for the dense march of debug views.
 constexpr std::uint32_t kLocalBlock = 2;
+/// The CookieBlock of each light by itself, likewise.
+constexpr std::uint32_t kCookieBlock = 3;
 
 /// Lights that the same passes serve: suns, or spot and point lights, with a cookie or without. In each frame the passes of other classes are
 /// left out for a light.

@@ -19,6 +19,7 @@ layout(binding = 3) uniform writeonly image2DArray rectified;
 
 #include "stages/rows.glsl"
 #include "stages/light_rays.glsl"
+#include "stages/march_cookie.glsl"
 #include "stages/march_local.glsl"
 
 void main() {

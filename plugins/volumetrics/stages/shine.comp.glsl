@@ -17,7 +17,7 @@ layout(constant_id = 1) const int kReferenceRays = 1;
 layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
 layout(binding = 1, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 2, scalar) readonly buffer Slices { Slice slices[]; };
-layout(binding = 3) uniform sampler2DArray cookie;
+layout(binding = 3) uniform sampler2DArray cookieImage;
 layout(binding = 4) uniform writeonly image2DArray weights;
 
 #include "stages/rows.glsl"
@@ -46,10 +46,10 @@ void main() {
     float cone = clamp(dot(middle, light.local.axis) * light.local.coneScale + light.local.coneOffset, 0.0, 1.0);
     strength *= cone * cone;
   }
-  if (kColoured && light.cookieFaces != 0u) {
+  if (kColoured && light.cookie.faces != 0u) {
     vec3 along = onLightRay(s, slice, column + 1.0) - onLightRay(s, slice, column);
     vec3 across = onLightRay(s, slice + 0.5, column + 0.5) - onLightRay(s, slice - 0.5, column + 0.5);
-    strength *= cookieColour(middle, along, across);
+    strength *= cookieColour(light.cookie, (kLocal ? light.local.position : vec3(0.0)) + middle, along, across);
   }
   float value[kChannelSlots];
   for (int i = 0; i < kChannelSlots; ++i) value[i] = 0.0;

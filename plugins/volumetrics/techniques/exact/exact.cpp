@@ -160,7 +160,8 @@ void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightC
                      {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2),
                       bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4), result, sampledAt(6, images.bounds),
                       sampledAt(7, stage.rectified), sampledAt(8, stage.projective), sampledAt(9, images.levels),
-                      sampledAt(10, images.ranks), unshadowedAt21(stage), litAt22(stage)},
+                      sampledAt(10, images.ranks), unshadowedAt21(stage), litAt22(stage),
+                        lightCookieAt(23, lights.coloured)},
                      groups8(context.structure.width), groups8(context.structure.height), 1, kEachLight, constantsOf(matrix, settings, scanned)};
     for (const auto& [id, value] : {std::pair{5u, static_cast<std::uint32_t>(settings.row_filter)}, {6u, first ? 1u : 0u}, {7u, steps ? 1u : 0u}})
       pass.specializations.push_back({id, value});

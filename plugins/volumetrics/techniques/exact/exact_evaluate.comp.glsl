@@ -40,6 +40,7 @@ const float kHalfStep = 0.5 / 65535.0;  // of the bounds' 16-bit unorm
 int visited = 0;
 
 #define TY_SHOWN (kShowSteps ? vec4(float(visited)) : vec4(-1.0))
+#define TY_ROW_COOKIES
 #include "stages/rays_on_rows.glsl"
 #include "stages/reference_rays.glsl"
 #include "stages/row_weights.glsl"

@@ -30,6 +30,7 @@ layout(binding = 22) uniform sampler2DArray lit;
 layout(binding = 6) uniform sampler2D bounds;         // nearest
 layout(binding = 7) uniform sampler2DArray prefix;    // linear filter
 
+#define TY_ROW_COOKIES
 #include "stages/rays_on_rows.glsl"
 #include "stages/prefix_lookup.glsl"
 

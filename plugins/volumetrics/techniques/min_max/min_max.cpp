@@ -50,7 +50,7 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
   builder.debugView("tree_max", "Maximum depth of the min-max trees, levels 1 to 6 from top to bottom", TY_SOURCE_IMAGE, low, 0, 1,
                     0.0f, 1.0f);
   addRowViews(context, builder, stage);
-  addDifferenceView(context, builder, kFrameBlock, kLightBlock);
+  addDifferenceView(context, builder, kFrameBlock, kLightBlock, TY_NONE, kCookieBlock);
 }
 
 void prepare(const FrameContext& context) { prepareRectify(context); }

@@ -32,6 +32,7 @@ layout(binding = 6) uniform sampler2D bounds;          // nearest
 layout(binding = 7) uniform sampler2DArray momentsA;   // linear filter
 layout(binding = 8) uniform sampler2DArray momentsB;
 
+#define TY_ROW_COOKIES
 #include "stages/rays_on_rows.glsl"
 #include "stages/prefix_lookup.glsl"
 

@@ -11,7 +11,6 @@
 #include "techniques/ray_march/ray_march_blocks.h"
 #include "stages/rays.glsl"
 #include "stages/noise.glsl"
-#include "stages/march.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool kFirstLight = true;  // the only light: writes instead of adding
@@ -20,6 +19,13 @@ layout(binding = 1, scalar) uniform Light { SunBlock sun; };
 layout(binding = 2) uniform sampler2D sceneDepth;
 layout(binding = 3) uniform sampler2DArray shadowMap;
 layout(binding = 4, rgba32f) uniform image2D scatter;
+layout(constant_id = 1) const bool kCookies = false;  // some light of this kind has one
+layout(binding = 5, scalar) uniform Cookie { CookieBlock marchCookie; };
+layout(binding = 6) uniform sampler2DArray cookieImage;
+
+#define TY_COOKIES kCookies
+#include "stages/march_cookie.glsl"
+#include "stages/march.glsl"
 
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
@@ -32,9 +38,12 @@ void main() {
 
   vec3 step_ = shadowStep(sun, direction);
   vec2 interval = shadowedPart(sun, step_, end);
-  float integral = transmittanceIntegral(sigma_t, 0.0, end);
-  if (interval.y > interval.x) {
-    float offset = frame.march.jitter == kJitterWhite ? whiteNoise(uvec3(pixel, frame.rays.frameIndex)) : 0.5;
+  vec3 integral = vec3(transmittanceIntegral(sigma_t, 0.0, end));
+  float offset = frame.march.jitter == kJitterWhite ? whiteNoise(uvec3(pixel, frame.rays.frameIndex)) : 0.5;
+  if (hasCookie()) {
+    integral = colouredMarch(sun, shadowMap, direction, end, sigma_t, frame.march.steps, offset,
+                             frame.march.march_spacing == kSpacingTransmittance);
+  } else if (interval.y > interval.x) {
     float blocked = frame.march.march_spacing == kSpacingTransmittance
                         ? blockedByTransmittance(sun, shadowMap, step_, interval, sigma_t, frame.march.steps, offset)
                         : blockedByDistance(sun, shadowMap, step_, interval, sigma_t, frame.march.steps, offset);
@@ -42,7 +51,7 @@ void main() {
   }
   float sigma_s = frame.rays.albedo * sigma_t;
   float phase = phaseHenyeyGreenstein(dot(direction, sun.towards), frame.rays.g);
-  vec3 radiance = sigma_s * phase * max(integral, 0.0) * sun.irradiance;
+  vec3 radiance = sigma_s * phase * max(integral, vec3(0.0)) * sun.irradiance;
   if (kFirstLight)
     imageStore(scatter, ivec2(pixel), vec4(radiance, exp(-sigma_t * end)));
   else

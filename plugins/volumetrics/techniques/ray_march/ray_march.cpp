@@ -19,19 +19,21 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
   builder.uniform("frame", sizeof(RayMarchBlock), false);
   builder.uniform("sun", sizeof(SunBlock), true);
   builder.uniform("local light", sizeof(LocalBlock), true);
+  builder.uniform("cookie", sizeof(CookieBlock), true);
   const bool add = beginLights(context, builder, kFrameBlock);
   const std::uint32_t x = groups8(context.structure.width), y = groups8(context.structure.height);
   if (context.directionalLights > 0)
     builder.compute({"march", "ray_march.comp",
                      {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2), shadowMapAt(3),
-                      outputAt(4, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE)},
-                     x, y, 1, kSuns, {{0, add ? 0u : 1u}}});
+                      outputAt(4, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE), uniformAt(5, kCookieBlock),
+                      lightCookieAt(6, context.sunCookies > 0)},
+                     x, y, 1, kSuns, {{0, add ? 0u : 1u}, {1, context.sunCookies > 0 ? 1u : 0u}}});
   if (context.localLights() > 0)
     builder.compute({"march local", "ray_march_local.comp",
                      {uniformAt(0, kFrameBlock), uniformAt(1, kLocalBlock), sceneDepthAt(2), shadowMapAt(3),
-                      outputAt(4, TY_ACCESS_STORAGE_READ_WRITE)},
-                     x, y, 1, kLocalLights, {{0, add ? 0u : 1u}}});
-  if (context.structure.light_count > 0) addDifferenceView(context, builder, kFrameBlock, kLightBlock, kLocalBlock);
+                      outputAt(4, TY_ACCESS_STORAGE_READ_WRITE), uniformAt(5, kCookieBlock), lightCookieAt(6, context.localCookies > 0)},
+                     x, y, 1, kLocalLights, {{0, add ? 0u : 1u}, {1, context.localCookies > 0 ? 1u : 0u}}});
+  if (context.structure.light_count > 0) addDifferenceView(context, builder, kFrameBlock, kLightBlock, kLocalBlock, kCookieBlock);
 }
 
 void prepare(const FrameContext& context) {
@@ -40,6 +42,8 @@ void prepare(const FrameContext& context) {
   frame.march.steps = context.settings.steps;
   frame.march.jitter = context.settings.jitter;
   frame.march.march_spacing = context.settings.march_spacing;
+  for (std::uint32_t i = 0; i < context.frame.light_count; ++i)
+    context.block<CookieBlock>(kCookieBlock, i) = cookieBlock(context.frame.lights[i], frame.rays.eye);
   for (std::uint32_t i = 0; i < context.frame.light_count; ++i)
     if (context.frame.lights[i].kind == TY_LIGHT_DIRECTIONAL)
       context.block<SunBlock>(kLightBlock, i) = sunBlock(context.frame.lights[i], frame.rays.eye);

@@ -12,7 +12,6 @@
 #include "techniques/ray_march/ray_march_blocks.h"
 #include "stages/rays.glsl"
 #include "stages/noise.glsl"
-#include "stages/march_local.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool kFirstLight = true;  // the only light: writes instead of adding
@@ -21,6 +20,13 @@ layout(binding = 1, scalar) uniform Light { LocalBlock light; };
 layout(binding = 2) uniform sampler2D sceneDepth;
 layout(binding = 3) uniform sampler2DArray shadowMap;
 layout(binding = 4, rgba32f) uniform image2D scatter;
+layout(constant_id = 1) const bool kCookies = false;  // some light of this kind has one
+layout(binding = 5, scalar) uniform Cookie { CookieBlock marchCookie; };
+layout(binding = 6) uniform sampler2DArray cookieImage;
+
+#define TY_COOKIES kCookies
+#include "stages/march_cookie.glsl"
+#include "stages/march_local.glsl"
 
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
