@@ -57,14 +57,20 @@ double brightness(const image::FloatImage& picture, std::uint32_t x, std::uint32
   return (double{picture.at(x, y, 0)} + picture.at(x, y, 1) + picture.at(x, y, 2)) / 3;
 }
 
-/// The pixel that is farthest off: "x, y: picture / truth", in means of the reference.
+/// Whether both end the ray at the same surface (their transmittances, in alpha): at silhouettes a rasteriser and a ray tracer may differ,
+/// which is no error of any technique.
+bool sameSurface(const image::FloatImage& picture, const image::FloatImage& reference, std::uint32_t x, std::uint32_t y) {
+  return std::abs(picture.at(x, y, 3) - reference.at(x, y, 3)) < 0.01f;
+}
+
+/// The pixel that is farthest off, of those on the same surface: "x, y: picture / truth", in means of the reference.
 std::string worstOf(const image::FloatImage& picture, const image::FloatImage& reference, double mean) {
   std::uint32_t worst[2] = {};
   double most = -1;
   for (std::uint32_t y = 0; y < picture.height; ++y)
     for (std::uint32_t x = 0; x < picture.width; ++x) {
       const double off = std::abs(brightness(picture, x, y) - brightness(reference, x, y));
-      if (off <= most) continue;
+      if (off <= most || !sameSurface(picture, reference, x, y)) continue;
       most = off;
       worst[0] = x;
       worst[1] = y;
@@ -73,8 +79,8 @@ std::string worstOf(const image::FloatImage& picture, const image::FloatImage& r
          figure(brightness(reference, worst[0], worst[1]) / mean);
 }
 
-/// Pixels that stand out from all their neighbours and from the truth's: twice as bright as any, or half as bright, by a tenth of the mean
-/// at least. Such a pixel is a fault of its own, not an error of a map or of weights.
+/// Pixels on the same surface that stand out from all their neighbours and from the truth's: twice as bright as any, or half as bright,
+/// by a tenth of the mean at least. Such a pixel is a fault of its own, not an error of a map or of weights.
 std::string spikesOf(const image::FloatImage& picture, const image::FloatImage& reference, double mean) {
   int count = 0;
   std::string first;
@@ -87,6 +93,7 @@ std::string spikesOf(const image::FloatImage& picture, const image::FloatImage& 
           least = std::min({least, truth, here});
           most = std::max({most, truth, here});
         }
+      if (!sameSurface(picture, reference, x, y)) continue;
       const double value = brightness(picture, x, y);
       const bool bright = value > 2 * most && value > most + 0.1 * mean, dark = value < 0.5 * least && value < least - 0.1 * mean;
       if ((bright || dark) && count++ == 0) first = " (" + std::to_string(x) + ", " + std::to_string(y) + ": " + figure(value / mean) + ")";
@@ -118,26 +125,28 @@ class Pictures : public testing::TestWithParam<View> {
 
   image::FloatImage picture(const Settings& settings) { return lab_.shoot(kCommon + settings).scatter; }
 
-  void headSuns() { report_.head({"", "nRMSE", "p99", "bias", "worst pixel: picture / truth, in means", "spikes"}); }
+  void headSuns() { report_.head({"", "nRMSE", "on the same surface", "p99", "bias", "worst pixel: picture / truth, in means", "spikes"}); }
   /// Returns the nRMSE.
   double rowSuns(const std::string& what, const Settings& settings) {
     const image::FloatImage shot = picture(settings);
     const image::ErrorMetrics error = errorOf(shot, truth_);
-    report_.row({what, figure(error.nRmse), figure(error.p99), figure(error.bias, 2), worstOf(shot, truth_, error.referenceMean),
+    const double same = nRmseOf(shot, truth_, [&](std::uint32_t x, std::uint32_t y) { return sameSurface(shot, truth_, x, y); });
+    report_.row({what, figure(error.nRmse), figure(same), figure(error.p99), figure(error.bias, 2), worstOf(shot, truth_, error.referenceMean),
                  spikesOf(shot, truth_, error.referenceMean)});
     return error.nRmse;
   }
 
   void headLamps() {
-    report_.head({"", "nRMSE, all", "away from lights", "within " + figure(kOwnPixels, 2) + " pixels of one", "p99, all", "bias",
+    report_.head({"", "nRMSE, all", "away from lights", "away, on the same surface", "within " + figure(kOwnPixels, 2) + " pixels of one", "p99, all", "bias",
                   "worst pixel: picture / truth, in means", "spikes"});
   }
   /// Returns the nRMSE away from the lights' own pixels.
   double rowLamps(const std::string& what, const Settings& settings) {
     const image::FloatImage shot = picture(settings);
     const image::ErrorMetrics error = errorOf(shot, truth_);
+    const double same = nRmseOf(shot, truth_, [&](std::uint32_t x, std::uint32_t y) { return others_(x, y) && sameSurface(shot, truth_, x, y); });
     const double away = nRmseOf(shot, truth_, others_), near = nRmseOf(shot, truth_, own_);
-    report_.row({what, figure(error.nRmse), figure(away), near > 0 ? figure(near) : "–", figure(error.p99), figure(error.bias, 2),
+    report_.row({what, figure(error.nRmse), figure(away), figure(same), near > 0 ? figure(near) : "–", figure(error.p99), figure(error.bias, 2),
                  worstOf(shot, truth_, error.referenceMean), spikesOf(shot, truth_, error.referenceMean)});
     return away;
   }
@@ -165,6 +174,7 @@ TEST_P(ExactSuns, Table) {
     best = std::min(best, error[rays]);
   }
   const double dense = rowSuns("dense sum of the same map (`min_max`)", technique("min_max"));
+  rowSuns(rayName(3) + ", map 2048²", with(with(exact(3), "columns=2048"), "slices=2048"));
   for (const char* rays : {"1", "3"})
     rowSuns("`fourier` 32, K = " + std::string(rays), with(with(technique("fourier"), "basis_count=32"), "reference_rays=" + std::string(rays)));
   rowSuns("`moments6`, K = 1", with(technique("moments6"), "reference_rays=1"));
@@ -180,7 +190,7 @@ TEST_P(ExactSuns, Table) {
 INSTANTIATE_TEST_SUITE_P(, ExactSuns,
                          testing::Values(View{"hall", 0, "across the shafts, sun off screen", 0.05}, View{"hall", 1, "sun on screen"},
                                          View{"hall", 2, "sun off screen"}, View{"forest", 0, "across the light, sun off screen", 0.02},
-                                         View{"forest", 1, "sun on screen"}, View{"forest", 2, "sun off screen"}),
+                                         View{"forest", 1, "sun on screen"}, View{"forest", 2, "sun behind, its antipode on screen"}),
                          viewName);
 
 class ExactLamps : public Pictures {
@@ -207,7 +217,7 @@ TEST_P(ExactLamps, Table) {
 
 INSTANTIATE_TEST_SUITE_P(, ExactLamps,
                          testing::Values(View{"vault", 0, "both lamps off screen", 0.04, 0.04}, View{"vault", 1, "a lamp on screen", 0.04, 0.04},
-                                         View{"vault", 2, "along a cone, lamp behind", 0.04, 0.04}, View{"cage", 0, "lamp off screen", 0.04, 0.04},
+                                         View{"vault", 2, "along a cone, lamp behind", 0, 0.04}, View{"cage", 0, "lamp off screen", 0.04, 0.04},
                                          View{"cage", 1, "lamp on screen", 0.04, 0.04}, View{"cage", 2, "lamp on screen, near", 0.04, 0.04}),
                          viewName);
 
@@ -218,7 +228,7 @@ class ExactLevels : public Pictures {
 
 TEST_P(ExactLevels, Table) {
   const image::FloatImage linear = picture(technique("min_max")), nearest = picture(with(technique("min_max"), "row_filter=nearest"));
-  report_.head({"", "nRMSE, dense sum of the map", "p99", "nRMSE, truth", "p99"});
+  report_.head({"", "nRMSE, dense sum of the map", "p99, dense sum", "nRMSE, truth", "p99, truth"});
   const auto row = [&](const std::string& what, const Settings& settings, const image::FloatImage& dense) {
     const image::FloatImage shot = picture(settings);
     const image::ErrorMetrics map = errorOf(shot, dense), truth = errorOf(shot, truth_);
@@ -258,6 +268,24 @@ TEST_P(ExactBlock, Table) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, ExactBlock, testing::Values(View{"cage", 1, "lamp on screen"}, View{"hall", 1, "sun on screen"}), viewName);
+
+class ExactMap : public Pictures {
+ protected:
+  ExactMap() : Pictures("exact_map") {}
+};
+
+TEST_P(ExactMap, Table) {
+  headLamps();
+  const double one = rowLamps(rayName(6), exact(6));
+  const double slices = rowLamps(rayName(6) + ", 2048 slices", with(exact(6), "slices=2048"));
+  // Between the two large maps, since a device may not hold both and the last picture's memory is kept until the next one's is there.
+  rowLamps(rayName(6) + ", slices by the border", with(exact(6), "slice_spacing=border"));
+  rowLamps(rayName(6) + ", 2048 columns", with(exact(6), "columns=2048"));
+  // Edges of the cookie are finer than a slice.
+  EXPECT_LT(slices, one);
+}
+
+INSTANTIATE_TEST_SUITE_P(, ExactMap, testing::Values(View{"vault", 1, "a lamp with a cookie, 11 pixels from the border"}), viewName);
 
 }  // namespace
 }  // namespace tyndall::figures
