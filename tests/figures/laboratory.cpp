@@ -53,6 +53,22 @@ void Laboratory::turn(double degrees) {
   request_.camera.worldFromView[3] = place;
 }
 
+std::vector<glm::vec2> Laboratory::lightsInPicture() const {
+  const glm::vec2 size(static_cast<float>(request_.width), static_cast<float>(request_.height));
+  const glm::mat3 axes(start_.worldFromView);
+  const glm::vec3 eye(start_.worldFromView[3]);
+  std::vector<glm::vec2> places;
+  for (const scene::LightView& light : session_->level()->lights(0)) {
+    const glm::vec3 towards = light.light.kind == scene::LightKind::kDirectional ? -light.direction : light.position - eye;
+    const glm::vec3 v = glm::transpose(axes) * towards;
+    if (v.z >= 0) continue;
+    const float reach = glm::tan(0.5f * start_.camera.yfov);
+    const glm::vec2 onScreen(v.x / (-v.z * reach * size.x / size.y), v.y / (-v.z * reach));
+    places.push_back({0.5f * size.x * (1 + onScreen.x), 0.5f * size.y * (1 - onScreen.y)});
+  }
+  return places;
+}
+
 Shot Laboratory::frame() {
   render::Graph graph(session_->device(), session_->graphMemory());
   const render::FrameOutput output = must(session_->buildFrame(graph, request_));

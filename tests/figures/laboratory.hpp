@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include "app/readback.hpp"
 #include "app/session.hpp"
 #include "image/image_io.hpp"
@@ -38,6 +40,9 @@ class Laboratory {
   image::FloatImage truth(std::uint32_t samples);
   /// Turns the camera about the world's vertical by `degrees` from where it was.
   void turn(double degrees);
+  /// Pixel coordinates (from the upper left corner, y down) of the lamps' places, or of where the suns stand, that lie before the camera
+  /// as the level has it; they may lie outside the picture.
+  std::vector<glm::vec2> lightsInPicture() const;
 
   app::Session& session() { return *session_; }
   const std::string& device() const { return session_->device().info().name; }
