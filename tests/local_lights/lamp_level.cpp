@@ -25,6 +25,22 @@ scene::Primitive parallelogram(const glm::vec3& a, const glm::vec3& u, const glm
   return made;
 }
 
+/// Squares of red, green, blue, white and black; twice as wide as high for a point light.
+scene::Image squares(bool wide) {
+  constexpr std::uint32_t kSquare = 32;
+  constexpr std::uint8_t kColours[5][3] = {{255, 40, 30}, {30, 220, 60}, {40, 60, 255}, {255, 255, 255}, {0, 0, 0}};
+  scene::Image image;
+  image.name = "squares";
+  image.width = kSquare * (wide ? 8 : 4);
+  image.height = kSquare * 4;
+  for (std::uint32_t y = 0; y < image.height; ++y)
+    for (std::uint32_t x = 0; x < image.width; ++x) {
+      const auto& colour = kColours[(x / kSquare + 3 * (y / kSquare)) % 5];
+      image.rgba.insert(image.rgba.end(), {colour[0], colour[1], colour[2], 255});
+    }
+  return image;
+}
+
 }  // namespace
 
 std::vector<Bar> slatsBefore(const Lamp& lamp, float ahead) {
@@ -81,6 +97,11 @@ std::string writeLevel(const std::string& name, const std::vector<Lamp>& lamps, 
     light.range = lamp.range;
     light.innerConeAngle = lamp.inner;
     light.outerConeAngle = lamp.outer;
+    if (lamp.cookie) {
+      light.cookie = scene::Cookie{static_cast<std::int32_t>(level.textures.size()), glm::vec2(4)};
+      level.textures.push_back({static_cast<std::int32_t>(level.images.size()), {}});
+      level.images.push_back(squares(lamp.kind == scene::LightKind::kPoint));
+    }
     scene::Node node;
     node.light = static_cast<std::int32_t>(level.lights.size());
     node.translation = lamp.position;

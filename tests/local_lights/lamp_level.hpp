@@ -18,6 +18,7 @@ struct Lamp {
   std::optional<float> range;
   float inner = 0.2f, outer = 0.4f;  ///< rad
   glm::vec3 color{1};
+  bool cookie = false;               ///< four by four squares of strong colours; of a sun a tile of 4 m
 };
 
 /// A flat bar: from `a` to `b`, of the given width along `across`.

@@ -180,6 +180,28 @@ void spaceByBorder(const RectificationInput& input, RectificationBlock& block) {
 
 }  // namespace
 
+std::optional<ConeSector> coneSector(const glm::dvec3& towards, const glm::dvec3& coneAxis, double cosOuter) {
+  const glm::dvec3 across = coneAxis - towards * glm::dot(coneAxis, towards);
+  const double sine = glm::length(across), sineOuter = std::sqrt(std::max(0.0, 1 - cosOuter * cosOuter));
+  // Within rounding of the axis nearly half of all azimuths are reached: all of them are as good.
+  if (sine <= sineOuter * 1.0001) return std::nullopt;
+  return ConeSector{across / sine, std::asin(sineOuter / sine)};
+}
+
+namespace {
+
+/// Cuts the azimuths of the view, about e1, to a sector around e1. Both are narrower than pi; where they meet at both ends, or not at all, the
+/// sector stays whole.
+void cutToSector(double halfWidth, double& phiMin, double& phiMax) {
+  const double low = std::max(phiMin, -halfWidth), high = std::min(phiMax, halfWidth);
+  const bool across = phiMax > 2 * kPi - halfWidth || phiMin < -2 * kPi + halfWidth;
+  const bool meet = high > low && !across;
+  phiMin = meet ? low : -halfWidth;
+  phiMax = meet ? high : halfWidth;
+}
+
+}  // namespace
+
 RectificationBlock epipolarBlock(const RectificationInput& input) {
   RectificationBlock block{};
   const glm::dvec3 axis(input.towards);
@@ -190,18 +212,28 @@ RectificationBlock epipolarBlock(const RectificationInput& input) {
   const glm::dvec3 forward(input.rays.forward);
   glm::dvec3 e1 = forward - axis * glm::dot(axis, forward);
   if (glm::length(e1) < 1e-6) e1 = glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
-  fillFrame(input, glm::normalize(e1), block);
+  // Nothing lies outside a spot light's cone: slices are spent on its azimuths alone, with e1 along their middle.
+  std::optional<ConeSector> sector;
+  if (input.cosOuter > 0 && input.spacing == SliceSpacing::kAzimuth) sector = coneSector(axis, glm::dvec3(input.coneAxis), input.cosOuter);
+  const glm::dvec3 middleOfView = glm::normalize(e1);
+  fillFrame(input, sector ? sector->middle : middleOfView, block);
 
   double phiMin = -kPi, phiMax = kPi;
   block.fullCircle = inFrustum(planes, axis) || inFrustum(planes, -axis) ? 1 : 0;
   if (block.fullCircle == 0) {
     phiMin = kPi;
     phiMax = -kPi;
+    const glm::dvec3 acrossView = glm::cross(axis, middleOfView);
+    const double turned = azimuth({glm::dot(middleOfView, glm::dvec3(block.e1)), glm::dot(middleOfView, glm::dvec3(block.e2))});
     for (const glm::dvec3& q : corners) {
-      const double phi = std::atan2(glm::dot(q, glm::dvec3(block.e2)), glm::dot(q, glm::dvec3(block.e1)));
+      const double phi = turned + std::atan2(glm::dot(q, acrossView), glm::dot(q, middleOfView));
       phiMin = std::min(phiMin, phi);
       phiMax = std::max(phiMax, phi);
     }
+  }
+  if (sector) {
+    cutToSector(sector->halfWidth, phiMin, phiMax);
+    block.fullCircle = 0;
   }
   block.slicing = kSlicesByAzimuth;
   block.sliceLow = static_cast<float>(phiMin);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <glm/glm.hpp>
 
@@ -24,7 +25,17 @@ struct RectificationInput {
   std::uint32_t columns = 1024, slices = 1024;
   SliceSpacing spacing = SliceSpacing::kAzimuth;
   bool wholeView = false;                     ///< rows hold all that is seen, not only what can be blocked
+  glm::vec3 coneAxis{0};                      ///< unit, the way a spot light shines; zero: light goes everywhere
+  float cosOuter = 0;                         ///< of its cone
 };
+
+/// The azimuths about `towards` that a cone from a point on that axis reaches: `middle` is the cone's own azimuth as a direction. Nothing: all of
+/// them, because the axis lies within the cone.
+struct ConeSector {
+  glm::dvec3 middle;   ///< unit, perpendicular to the axis
+  double halfWidth;    ///< rad, below pi/2
+};
+std::optional<ConeSector> coneSector(const glm::dvec3& towards, const glm::dvec3& coneAxis, double cosOuter);
 
 /// Corners of the frustum as directions of length one along the optical axis, in order round the screen.
 std::array<glm::dvec3, 4> cornerDirections(const RayBlock& rays);

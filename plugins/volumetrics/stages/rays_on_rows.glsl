@@ -83,6 +83,8 @@ RowRay rowRay(vec3 local, float end, bool interpolate) {
     float a = ray.a.weight * unshadowedOver(ray.a.s, ray);
     float b = ray.b.weight > 0.0 ? ray.b.weight * unshadowedOver(ray.b.s, ray) : 0.0;
     ray.whole = a + b;
+    // Slices that do not wrap round may be those of a cone, beyond which no light goes.
+    if (light.map.fullCircle == 0u && abs(ray.slice - 0.5 * float(light.map.slices)) > 0.5 * float(light.map.slices) + 0.5) ray.whole = 0.0;
     if (ray.whole > 0.0) {
       ray.a.weight = a / ray.whole;
       ray.b.weight = b / ray.whole;

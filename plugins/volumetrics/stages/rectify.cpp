@@ -290,6 +290,10 @@ void prepareRectify(const FrameContext& context, bool parted) {
       // At the eye itself any direction will do.
       block.sun.towards = input.towards =
           glm::length(block.local.position) < kLeastDistance ? -frame.rays.forward : block.local.position / block.distance;
+      if (light.kind == TY_LIGHT_SPOT) {
+        input.coneAxis = block.local.axis;
+        input.cosOuter = block.local.cosOuter;
+      }
       shareOfScreen(context, input, i, block.local);
       block.map = epipolarBlock(input);
       setSegments(block.map, static_cast<std::uint32_t>(settings.regions));
