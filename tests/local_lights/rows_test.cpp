@@ -17,7 +17,7 @@ using figures::Laboratory;
 using figures::Settings;
 using scene::LightKind;
 
-const Settings kBase = {"shadows.resolution=2048", "volumetrics.columns=512", "volumetrics.slices=512", "volumetrics.prefix_scheme=block"};
+const Settings kBase = {"shadows.resolution=2048", "volumetrics.columns=1024", "volumetrics.slices=1024", "volumetrics.prefix_scheme=block"};
 
 /// nRMSE without the pixels, told by their transmittance, whose rays end on another surface in the truth.
 double errorOnSameSurfaces(image::FloatImage picture, const image::FloatImage& truth) {
@@ -45,14 +45,14 @@ Lamp lamp(LightKind kind, glm::vec3 position, glm::vec3 towards, bool cookie, st
 }
 
 const Case kCases[] = {
-    {"spot_outside", lamp(LightKind::kSpot, {-4, 4, 0}, {1, -0.5f, -0.2f}, false), 1, 1, 1},
-    {"spot_inside", lamp(LightKind::kSpot, {1, 3, -6}, {-0.1f, -0.08f, 1}, false, 14.0f), 1, 1, 1},
-    {"spot_behind", lamp(LightKind::kSpot, {0.5f, 2.5f, 4}, {-0.1f, -0.1f, -1}, false), 1, 1, 1},
-    {"spot_at_the_eye", lamp(LightKind::kSpot, {0, 2, 8}, {-0.1f, -0.1f, -1}, false), 1, 1, 1},
-    {"point", lamp(LightKind::kPoint, {3.4f, 2.2f, 0}, {0, 0, -1}, false, 6.0f), 1, 1, 1},
-    {"spot_cookie", lamp(LightKind::kSpot, {-4, 4, 0}, {1, -0.5f, -0.2f}, true), 1, 1, 1},
-    {"point_cookie", lamp(LightKind::kPoint, {3.4f, 2.2f, 0}, {0, 0, -1}, true, 9.0f), 1, 1, 1},
-    {"sun_cookie", lamp(LightKind::kDirectional, {0, 0, 0}, {0.7f, -1, -0.4f}, true), 1, 1, 1},
+    {"spot_outside", lamp(LightKind::kSpot, {-4, 4, 0}, {1, -0.5f, -0.2f}, false), 0.006, 0.009, 0.21},
+    {"spot_inside", lamp(LightKind::kSpot, {1, 3, -6}, {-0.1f, -0.08f, 1}, false, 14.0f), 0.009, 0.005, 0.023},
+    {"spot_behind", lamp(LightKind::kSpot, {0.5f, 2.5f, 4}, {-0.1f, -0.1f, -1}, false), 0.01, 0.13, 0.165},
+    {"spot_beside_the_eye", lamp(LightKind::kSpot, {0.3f, 1.8f, 7.9f}, {-0.1f, -0.1f, -1}, false), 0.002, 0.17, 0.125},
+    {"point", lamp(LightKind::kPoint, {3.4f, 2.2f, 0}, {0, 0, -1}, false, 6.0f), 0.012, 0.035, 0.07},
+    {"spot_cookie", lamp(LightKind::kSpot, {-4, 4, 0}, {1, -0.5f, -0.2f}, true), 0.01, 0.013, 0.41},
+    {"point_cookie", lamp(LightKind::kPoint, {3.4f, 2.2f, 0}, {0, 0, -1}, true, 9.0f), 0.023, 0.022, 0.125},
+    {"sun_cookie", lamp(LightKind::kDirectional, {0, 0, 0}, {0.7f, -1, -0.4f}, true), 0.009, 0.008, 0.061},
 };
 
 class RowsAgainstTruth : public testing::TestWithParam<Case> {};
@@ -67,7 +67,14 @@ TEST_P(RowsAgainstTruth, StayWithinTheirMeasuredErrors) {
   Laboratory lab(writeLevel(std::string("rows_") + c.name, {c.lamp}, bars), 0, 160, 90);
   const image::FloatImage truth = lab.truth(2048);
   const auto error = [&](const char* what, const Settings& settings) {
-    const double found = errorOnSameSurfaces(lab.shoot(kBase + settings).scatter, truth);
+    image::FloatImage picture = lab.shoot(kBase + settings).scatter;
+    // A lamp's own pixels, hundreds of times as bright as the rest, would be all that is compared: the block is for those.
+    for (const glm::vec2& at : lab.lightsInPicture())
+      for (std::uint32_t y = 0; y < truth.height; ++y)
+        for (std::uint32_t x = 0; x < truth.width; ++x)
+          if (glm::distance(at, glm::vec2(x, y) + 0.5f) < 8)
+            for (std::uint32_t channel = 0; channel < 3; ++channel) picture.at(x, y, channel) = truth.at(x, y, channel);
+    const double found = errorOnSameSurfaces(std::move(picture), truth);
     std::printf("%-16s %-14s nRMSE %.4f\n", c.name, what, found);
     return found;
   };

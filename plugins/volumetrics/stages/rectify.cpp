@@ -122,6 +122,24 @@ void shareOfScreen(const FrameContext& context, RectificationInput& input, std::
   input.slices = part(input.slices);
 }
 
+/// What reference rays leave to columns that they do not see themselves, since their psi ends at pi - theta or the light's range ends before:
+/// the weight that the farthest blocker has for those who see it. Found on views of two levels with lamps, and of one whose range ends in the air: leaving
+/// nothing has errors of 0.15 beside the antipode of a lamp, leaving the same to all of 0.11 where a range ends.
+void setLeastWeights(const TyLight& light, const glm::vec3& eye, float sigma_t, RectifiedLightBlock& block) {
+  constexpr float kMostWay = 4, kLeastWindow = 0.02f, kPartOfBox = 0.75f;
+  float fromLight = 0, fromEye = 0;
+  for (const auto& corner : light.caster_corners) {
+    fromLight = std::max(fromLight, glm::distance(glm::make_vec3(corner), glm::make_vec3(light.position)));
+    fromEye = std::max(fromEye, glm::distance(glm::make_vec3(corner), eye));
+  }
+  // Corners of a box are farther off than what most rays end on.
+  fromLight *= kPartOfBox;
+  fromEye *= kPartOfBox;
+  block.mostWay = std::min(sigma_t * (fromLight + fromEye), kMostWay);
+  const float q = block.local.range > 0 ? fromLight / block.local.range : 0.0f;
+  block.leastWindow = std::max(1 - q * q * q * q, kLeastWindow);
+}
+
 /// Passes "shine" and "lit".
 void addShine(LayoutBuilder& builder, RectifyStage& stage, std::uint32_t rays, const Settings& settings) {
   const std::uint32_t channels = rays * (stage.lights.coloured ? 3 : 1), quads = (channels + 3) / 4;
@@ -286,6 +304,7 @@ void prepareRectify(const FrameContext& context, bool parted) {
         for (const std::uint32_t pass : context.roles.localPasses) context.skip(pass, i);
         continue;
       }
+      setLeastWeights(light, frame.rays.eye, settings.sigma_t, block);
       block.distance = std::max(glm::length(block.local.position), kLeastDistance);
       // At the eye itself any direction will do.
       block.sun.towards = input.towards =
