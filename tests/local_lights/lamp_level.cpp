@@ -66,6 +66,15 @@ std::vector<Bar> cage(const glm::vec3& around, float half) {
   return bars;
 }
 
+std::vector<Bar> roof() {
+  std::vector<Bar> bars;
+  for (int i = 0; i < 6; ++i) {
+    const float z = -6.0f + 2 * static_cast<float>(i);
+    bars.push_back({{-6, 4, z}, {6, 4, z}, {0, 0, 0.8f}});
+  }
+  return bars;
+}
+
 std::string writeLevel(const std::string& name, const std::vector<Lamp>& lamps, const std::vector<Bar>& bars, bool shell) {
   scene::Scene level;
   level.name = name;

@@ -31,6 +31,9 @@ std::vector<Bar> slatsBefore(const Lamp& lamp, float ahead);
 /// A cage of bars around a point: four upright slats a side of a cube of half size `half`.
 std::vector<Bar> cage(const glm::vec3& around, float half);
 
+/// Six beams 4 m above the floor, for a sun.
+std::vector<Bar> roof();
+
 /// Writes the level as a .glb file into the folder of temporary files; `shell` adds floor and wall. Returns its path.
 std::string writeLevel(const std::string& name, const std::vector<Lamp>& lamps, const std::vector<Bar>& bars, bool shell = true);
 

@@ -77,11 +77,27 @@ const Case kCases[] = {
     {"point_range", lamp(LightKind::kPoint, {0.4f, 2.2f, 0}, {0, 0, -1}, 5.0f), 0.7f, 0.014},
 };
 
+Lamp withCookie(Lamp made) {
+  made.cookie = true;
+  if (made.kind == LightKind::kDirectional) made.intensity = 10;
+  return made;
+}
+
+// What is seen through a cookie has edges inside the light too, and few steps find them as late as those of shadows.
+const Case kCookieCases[] = {
+    {"cookie_outside", withCookie(lamp(LightKind::kSpot, {-4, 4, 0}, {1, -0.5f, -0.2f})), 1.2f, 0.03},
+    {"cookie_inside", withCookie(lamp(LightKind::kSpot, {1, 3, -6}, {-0.1f, -0.08f, 1}, 12.0f)), 1.2f, 0.03},
+    {"cookie_point", withCookie(lamp(LightKind::kPoint, {0.4f, 2.2f, 0}, {0, 0, -1}, 9.0f)), 0.7f, 0.03},
+    {"cookie_sun", withCookie(lamp(LightKind::kDirectional, {}, {0.7f, -1, -0.4f})), 0, 0.03},
+};
+
 class AgainstTruth : public testing::TestWithParam<Case> {};
 
 TEST_P(AgainstTruth, MarchConvergesToIt) {
   const Case& c = GetParam();
-  const auto bars = c.lamp.kind == LightKind::kPoint ? cage(c.lamp.position, c.slats) : slatsBefore(c.lamp, c.slats);
+  const auto bars = c.lamp.kind == LightKind::kPoint         ? cage(c.lamp.position, c.slats)
+                    : c.lamp.kind == LightKind::kDirectional ? roof()
+                                                             : slatsBefore(c.lamp, c.slats);
   Laboratory lab(writeLevel(c.name, {c.lamp}, bars), 0, 160, 90);
   const image::FloatImage truth = lab.truth(1024);
   show(std::string(c.name) + "_truth", truth);
@@ -101,6 +117,7 @@ TEST_P(AgainstTruth, MarchConvergesToIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lamps, AgainstTruth, testing::ValuesIn(kCases), [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(Cookies, AgainstTruth, testing::ValuesIn(kCookieCases), [](const auto& each) { return std::string(each.param.name); });
 
 // Nothing in the way and nothing around: no shadow map's resolution in the error, and few steps do.
 TEST(March, AnUnshadowedLampNeedsFewSteps) {

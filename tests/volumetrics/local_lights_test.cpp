@@ -79,7 +79,7 @@ struct Frame : testing::Test {
         for (std::uint32_t c = 0; c < table[i].choice_count; ++c)
           if (name == table[i].choices[c]) values[i] = c;
   }
-  void ask(const std::vector<std::uint32_t>& kinds) {
+  void ask(const std::vector<std::uint32_t>& kinds, std::vector<std::uint32_t> cookies = {}) {
     TyDevice device{};
     device.struct_size = sizeof(device);
     device.max_push_descriptors = 32;
@@ -91,6 +91,8 @@ struct Frame : testing::Test {
     s.light_count = static_cast<std::uint32_t>(kinds.size());
     s.light_kinds = kinds.data();
     s.shadow_sizes = sizes.data();
+    cookies.resize(kinds.size());
+    s.light_cookies = cookies.data();
     s.values = values.data();
     s.value_count = count;
     layout = tyndall_plugin.layout(instance, &device, &s);
@@ -231,6 +233,39 @@ TEST_F(Frame, ALightThatReachesNoViewRayCostsNoPass) {
   prepare({unseen});
   EXPECT_TRUE(skipped("march local"));
   EXPECT_FALSE(skipped("clear"));
+}
+
+// Levels without cookies neither bind one nor have its code in their pipelines.
+TEST_F(Frame, ACookieCostsOnlyWhereALightHasOne) {
+  const auto cookieOf = [&](const std::string& name) {
+    const TyPass& march = *pass(name);
+    const std::uint32_t bound = static_cast<std::uint32_t>(std::count_if(
+        march.bindings, march.bindings + march.binding_count, [](const TyBinding& b) { return b.source == TY_SOURCE_LIGHT_COOKIE; }));
+    for (std::uint32_t i = 0; i < march.specialization_count; ++i)
+      if (march.specializations[i].id == 1) {
+        EXPECT_EQ(march.specializations[i].value, bound) << name;
+      }
+    return bound == 1;
+  };
+  for (const bool sun : {false, true})
+    for (const bool point : {false, true}) {
+      ask({TY_LIGHT_DIRECTIONAL, TY_LIGHT_DIRECTIONAL, TY_LIGHT_SPOT, TY_LIGHT_POINT}, {0, sun ? 1u : 0u, 0, point ? 6u : 0u});
+      for (const char* name : {"march", "debug dense march"}) EXPECT_EQ(cookieOf(name), sun) << name;
+      for (const char* name : {"march local", "debug dense march local"}) EXPECT_EQ(cookieOf(name), point) << name;
+    }
+}
+
+TEST_F(Frame, OnlyTechniquesThatLeaveASunsCookieOutSaySo) {
+  for (const Technique& each : techniques()) {
+    lines.clear();
+    technique(each.id);
+    ask({TY_LIGHT_DIRECTIONAL, TY_LIGHT_DIRECTIONAL}, {1, 0});
+    ask({TY_LIGHT_DIRECTIONAL, TY_LIGHT_DIRECTIONAL}, {1, 0});
+    ASSERT_EQ(lines.size(), each.localLights ? 0u : 1u) << each.id;
+    if (each.localLights) continue;
+    EXPECT_NE(lines[0].find("1 directional light(s) scatter without their cookie"), std::string::npos) << lines[0];
+    EXPECT_NE(lines[0].find(each.id), std::string::npos) << lines[0];
+  }
 }
 
 TEST_F(Frame, OnlyTechniquesWithoutLocalLightsSaySo) {

@@ -69,7 +69,8 @@ vec3 colouredMarch(SunBlock sun, sampler2DArray shadowMap, vec3 direction, float
     float at = float(i) + offset;
     float t = byTransmittance ? distanceAtTransmittanceShare(sigma_t, end, at / float(steps)) : at * width;
     bool inside = t >= interval.x && t <= interval.y;
-    if (!inside || blockedAt(sun, shadowMap, sun.shadowEye + t * step_) == 0.0) sum += weight * cookieAlong(direction, t);
+    if (!inside || blockedAt(sun, shadowMap, sun.shadowEye + t * step_) == 0.0)
+      sum += weight * cookieAlong(direction, t, byTransmittance ? min(weight * exp(sigma_t * t), end) : width);
     if (!byTransmittance) weight *= falloff;
   }
   return sum;

@@ -9,9 +9,9 @@
 // The integral diverges for a ray through the light itself: a ray that passes closer counts as passing at this distance, m.
 const float kClosestPass = 1e-3;
 
-// Candela towards a point of a view ray. The cookie belongs here, and nowhere else (stages/march_cookie.glsl).
-vec3 lightColour(LocalBlock light, vec3 direction, float t) {
-  return hasCookie() ? light.intensity * cookieAlong(direction, t) : light.intensity;
+// Candela towards a point of a view ray, for a stratum of `length_` m. The cookie belongs here, and nowhere else (stages/march_cookie.glsl).
+vec3 lightColour(LocalBlock light, vec3 direction, float t, float length_) {
+  return hasCookie() ? light.intensity * cookieAlong(direction, t, length_) : light.intensity;
 }
 
 // Face of the map that a direction from the light falls on.
@@ -48,7 +48,7 @@ vec3 localScatter(LocalBlock light, vec3 direction, float t, float sigma_t, floa
   float d2 = max(dot(w, w), kClosestPass * kClosestPass);
   float d = sqrt(d2);
   float rest = localAttenuation(d2, light.range, dot(w, light.axis) / d, light.coneScale, light.coneOffset) / d2;
-  return lightColour(light, direction, t) * (rest * phaseHenyeyGreenstein(-dot(w, direction) / d, g) * exp(-sigma_t * (t + d)));
+  return lightColour(light, direction, t, 0.0) * (rest * phaseHenyeyGreenstein(-dot(w, direction) / d, g) * exp(-sigma_t * (t + d)));
 }
 
 // A view ray as the light sees it (lib/local_light.glsl): s = t - closest.
@@ -75,12 +75,12 @@ LocalRay localRay(LocalBlock light, vec3 direction, float end) {
   return ray;
 }
 
-// The integrand without inverse square and visibility at s.
-vec3 localRest(LocalBlock light, LocalRay ray, float s, float sigma_t, float g) {
+// The integrand without inverse square and visibility at s, for a stratum of `angle` rad at the light.
+vec3 localRest(LocalBlock light, LocalRay ray, float s, float angle, float sigma_t, float g) {
   float d2 = s * s + ray.pass * ray.pass;
   float d = sqrt(d2);
   float cosine = (ray.across + s * ray.along) / d;
-  return lightColour(light, ray.direction, ray.closest + s) *
+  return lightColour(light, ray.direction, ray.closest + s, angle * d2 / ray.pass) *
          (localAttenuation(d2, light.range, cosine, light.coneScale, light.coneOffset) * phaseHenyeyGreenstein(-s / d, g) *
           exp(-sigma_t * (ray.closest + s + d)));
 }
@@ -106,7 +106,8 @@ vec3 restOverAngle(LocalBlock light, LocalRay ray, float a, float b, float sigma
     float weight = outer ? 0.3478548451374538 : 0.6521451548625461;
     float up = exp(middle + half_ * place);
     float down = 1.0 / up;
-    sum += localRest(light, ray, clamp(0.5 * ray.pass * (up - down), a, b), sigma_t, g) * (weight * 2.0 / (up + down));
+    float angle = weight * 2.0 / (up + down);
+    sum += localRest(light, ray, clamp(0.5 * ray.pass * (up - down), a, b), angle * half_, sigma_t, g) * angle;
   }
   return sum * half_;
 }
@@ -138,7 +139,7 @@ vec3 marchedByAngle(LocalBlock light, sampler2DArray shadowMap, LocalRay ray, fl
         sum += restOverAngle(light, ray, min(borders.x, borders.y), max(borders.x, borders.y), sigma_t, g) / width;
       } else {
         s = side * ray.pass * at.x / at.y;
-        sum += localRest(light, ray, clamp(s, ray.reached.x, ray.reached.y), sigma_t, g);
+        sum += localRest(light, ray, clamp(s, ray.reached.x, ray.reached.y), width, sigma_t, g);
       }
     }
     at = turned(at, turn);
@@ -153,8 +154,10 @@ vec3 marchedByDistance(LocalBlock light, sampler2DArray shadowMap, LocalRay ray,
   vec3 sum = vec3(0.0);
   for (int i = 0; i < steps; ++i) {
     float s = ray.reached.x + float(i) * width;
-    if (!localBlockedFrom(light, shadowMap, ray.nearest + (s + offset * width) * ray.direction))
-      sum += localRest(light, ray, s + 0.5 * width, sigma_t, g) * angleBetween(ray.pass, s, s + width);
+    if (!localBlockedFrom(light, shadowMap, ray.nearest + (s + offset * width) * ray.direction)) {
+      float angle = angleBetween(ray.pass, s, s + width);
+      sum += localRest(light, ray, s + 0.5 * width, angle, sigma_t, g) * angle;
+    }
   }
   return sum / ray.pass;
 }
