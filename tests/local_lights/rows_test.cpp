@@ -98,5 +98,27 @@ TEST(Rows, TheBlockAroundALampIsTheMarch) {
   EXPECT_LT(errorOf(block, march).nRmse, 0.02);
 }
 
+// A further lamp that covers little of the screen has a smaller map in the same images: what it adds is what it scatters alone, with the whole
+// map, but for that map's resolution.
+TEST(Rows, AFurtherLampWithASmallMapAddsWhatItScattersAlone) {
+  const Lamp first = lamp(LightKind::kSpot, {-4, 4, 0}, {1, -0.5f, -0.2f}, false);
+  Lamp second = lamp(LightKind::kPoint, {3, 2, -4}, {0, 0, -1}, false, 2.5f);
+  second.intensity = 60;
+  const std::vector<Bar> bars = cage(second.position, 0.5f);
+  Laboratory both(writeLevel("rows_two", {first, second}, bars), 0, 160, 90);
+  Laboratory one(writeLevel("rows_first", {first}, bars), 0, 160, 90);
+  Laboratory alone(writeLevel("rows_second", {second}, bars), 0, 160, 90);
+  for (const char* technique : {"exact", "fourier", "moments6"})
+    for (const char* filter : {"linear", "mipmapped"}) {
+      const Settings settings = kBase + Settings{"volumetrics.technique=" + std::string(technique), "volumetrics.row_filter=" + std::string(filter)};
+      image::FloatImage added = both.shoot(settings).scatter;
+      const image::FloatImage without = one.shoot(settings).scatter, expected = alone.shoot(settings).scatter;
+      for (std::size_t i = 0; i < added.values.size(); ++i) added.values[i] -= without.values[i];
+      const double error = errorOf(added, expected).nRmse;
+      std::printf("%s, %s: a further lamp adds what it scatters alone but for nRMSE %.4f\n", technique, filter, error);
+      EXPECT_LT(error, 0.15) << technique << ' ' << filter;
+    }
+}
+
 }  // namespace
 }  // namespace tyndall::local_lights

@@ -28,7 +28,7 @@ float prefixTexel(float column, vec2 segment, float lod) {
 }
 
 vec4 lookUp(sampler2DArray prefix, Place place, float layer) {
-  vec2 inverse = 1.0 / vec2(float(light.map.slices), float(textureSize(prefix, 0).y));
+  vec2 inverse = 1.0 / vec2(textureSize(prefix, 0).xy);  // a further light's map is a part of it
   if (kRowFilter == kRowMipmapped) {
     float column = mix(place.columnB, place.columnA, place.weightA) * inverse.y;
     float taps = ceil(0.5 * place.wide * exp2(-place.lod));  // a trilinear tap spans two texels of its mip
@@ -36,6 +36,9 @@ vec4 lookUp(sampler2DArray prefix, Place place, float layer) {
     for (float i = 0.5; i < taps; i += 1.0) {
       float slice = place.slice + place.wide * (i / taps - 0.5);
       if (light.map.fullCircle != 0u) slice = mod(slice, float(light.map.slices));
+      // No filter may reach beyond the light's own slices.
+      float half_ = 0.5 * exp2(ceil(place.lod));
+      slice = clamp(slice, half_, float(light.map.slices) - half_);
       sum += textureLod(prefix, vec3(slice * inverse.x, column, layer), place.lod);
     }
     return sum / taps;
