@@ -25,6 +25,8 @@ struct LightClass {
 };
 /// The classes of a layout's lights. For each, begin with beginClass() and add all passes; images are shared.
 std::vector<LightClass> lightClasses(const LayoutContext& context);
+/// Columns of all splits that rows of a class have.
+std::uint32_t rowsOf(const Settings& settings, const LightClass& lights);
 /// Directs passes for kEachLight to the class, and sets the constants of stages/rows.glsl.
 void beginClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights);
 
