@@ -277,6 +277,7 @@ void prepareRectify(const FrameContext& context, bool parted) {
   frame.rectified.weights = settings.weights;
   frame.rectified.near_correction = settings.near_correction;
   frame.rectified.epipole_block = settings.epipole_block;
+  frame.rectified.column_spacing = settings.column_spacing;
   bool anyLocal = false;
   for (std::uint32_t i = 0; i < context.frame.light_count; ++i) {
     const TyLight& light = context.frame.lights[i];

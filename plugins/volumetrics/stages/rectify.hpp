@@ -69,7 +69,7 @@ void prepareRectify(const FrameContext& context, bool parted = true);
 #define TY_RECTIFY_READS                                                                                                   \
   "volumetrics.enabled", "volumetrics.technique", "volumetrics.placement", "volumetrics.rectification",                    \
       "volumetrics.splits", "volumetrics.depth_warp", "volumetrics.columns", "volumetrics.slices",                         \
-      "volumetrics.slice_spacing", "volumetrics.row_filter", "volumetrics.epipole_block", "volumetrics.near_correction",   \
+      "volumetrics.slice_spacing", "volumetrics.column_spacing", "volumetrics.row_filter", "volumetrics.epipole_block", "volumetrics.near_correction",   \
       "medium.sigma_t", "medium.albedo", "medium.g"
 
 }  // namespace volumetrics
