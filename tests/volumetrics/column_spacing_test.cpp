@@ -1,5 +1,5 @@
-// Columns that grow away from the eye (lib/epipolar.glsl): the change of variables, the spacing by transmittance, and the weights that columns
-// get by products, against closed forms.
+// Columns that grow away from the eye (lib/epipolar.glsl): the change of variables, the spacing by transmittance, and
+// the weights that columns get by products, against closed forms.
 #include <cmath>
 #include <random>
 
@@ -27,7 +27,8 @@ TEST(ColumnSpacing, ReachAndItsInverseCancelAndGrow) {
 }
 
 TEST(ColumnSpacing, TheFirstColumnPassesItsPartOfTheTransmittance) {
-  // Along a row of optical depth x the first of N columns of equal transmittance spans -log(1 - (1 - exp(-x))/N)/x of it.
+  // Along a row of optical depth x the first of N columns of equal transmittance spans -log(1 - (1 - exp(-x))/N)/x of
+  // it.
   for (const double x : {1e-6, 0.01, 0.5, 1.5, 4.0, 9.0}) {
     constexpr double kCount = 1e6;
     EXPECT_NEAR(f64::nearestForTransmittance(x), kCount * -std::log1p(std::expm1(-x) / kCount) / x, 1e-5) << x;
@@ -37,7 +38,8 @@ TEST(ColumnSpacing, TheFirstColumnPassesItsPartOfTheTransmittance) {
 }
 
 TEST(ColumnSpacing, FullnessMakesTheMiddleTheIntegral) {
-  for (double x = 1e-4; x <= 3; x *= 1.5) EXPECT_NEAR(f64::columnFullness(x) / (std::sinh(x / 2) / (x / 2)), 1, 1e-4) << x;
+  for (double x = 1e-4; x <= 3; x *= 1.5)
+    EXPECT_NEAR(f64::columnFullness(x) / (std::sinh(x / 2) / (x / 2)), 1, 1e-4) << x;
   EXPECT_TRUE(std::isfinite(f32::columnFullness(3e38f)));
 }
 
@@ -46,15 +48,19 @@ TEST(ColumnSpacing, WeightsOfColumnsAreTheIntegralsOfTransmittance) {
   for (const double nearest : {1.0, 0.6, 0.1})
     for (const double depth : {0.01, 1.0, 30.0}) {
       constexpr int kCount = 256;
-      const double first = f64::columnsReach(nearest, 1.0 / kCount), more = 2 * (1 - nearest) / (double(kCount) * kCount);
+      const double first = f64::columnsReach(nearest, 1.0 / kCount),
+                   more = 2 * (1 - nearest) / (double(kCount) * kCount);
       const auto weight = [&](int u) {
         const double width = first + more * u;
         return std::exp(-depth * (first * u + 0.5 * more * u * u)) * width * f64::columnFullness(depth * width);
       };
       const auto integral = [&](int u) {
-        return f64::transmittanceIntegral(depth, f64::columnsReach(nearest, double(u) / kCount), f64::columnsReach(nearest, double(u + 1) / kCount));
+        return f64::transmittanceIntegral(depth, f64::columnsReach(nearest, double(u) / kCount),
+                                          f64::columnsReach(nearest, double(u + 1) / kCount));
       };
-      for (int u = 1; u < kCount; ++u) EXPECT_NEAR(weight(u) / weight(0), integral(u) / integral(0), 1e-9 * (1 + 2 * (1 / nearest))) << nearest << ' ' << depth << ' ' << u;
+      for (int u = 1; u < kCount; ++u)
+        EXPECT_NEAR(weight(u) / weight(0), integral(u) / integral(0), 1e-9 * (1 + 2 * (1 / nearest)))
+            << nearest << ' ' << depth << ' ' << u;
     }
 }
 
