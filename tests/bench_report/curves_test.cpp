@@ -35,7 +35,7 @@ TEST(ParetoFront, IsWhatTheDefinitionSaysOnRandomPoints) {
       for (std::size_t j = 0; j < points.size(); ++j) {
         const bool noWorse = points[j].cost <= points[i].cost && points[j].error <= points[i].error;
         const bool better = points[j].cost < points[i].cost || points[j].error < points[i].error;
-        beaten = beaten || (noWorse && (better || j < i));   // of equal points the first counts
+        beaten = beaten || (noWorse && (better || j < i));  // of equal points the first counts
       }
       expected[i] = !beaten;
     }
@@ -109,7 +109,7 @@ TEST(Comparison, NoiseMakesAStretchOfEqualCosts) {
   const auto stretches = compareAtEqualError(first, second, 1.25);
   ASSERT_EQ(stretches.size(), 3u);
   EXPECT_EQ(stretches[1].cheaper, Stretch::Cheaper::kEqual);
-  EXPECT_NEAR(stretches[1].from, 0.02 / 1.25, 1e-9);   // second / first = 0.02 / e
+  EXPECT_NEAR(stretches[1].from, 0.02 / 1.25, 1e-9);  // second / first = 0.02 / e
   EXPECT_NEAR(stretches[1].to, 0.02 * 1.25, 1e-9);
   EXPECT_NEAR(stretches[1].greatestRatio, 1.25, 1e-9);
 }
@@ -135,7 +135,10 @@ TEST(Comparison, CoversTheCommonErrorsWithoutGapsOnRandomCurves) {
     const auto stretches = compareAtEqualError(a, b, 1.1);
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       const Stretch& s = stretches[i];
-      if (i > 0) { ASSERT_DOUBLE_EQ(s.from, stretches[i - 1].to); ASSERT_NE(s.cheaper, stretches[i - 1].cheaper); }
+      if (i > 0) {
+        ASSERT_DOUBLE_EQ(s.from, stretches[i - 1].to);
+        ASSERT_NE(s.cheaper, stretches[i - 1].cheaper);
+      }
       // Anywhere within, the interpolated costs agree with what is said.
       for (const double t : {0.1, 0.5, 0.9}) {
         const double e = s.from * std::pow(s.to / s.from, t), ratio = *costAtError(b, e) / *costAtError(a, e);

@@ -6,7 +6,10 @@
 namespace tyndall::bench::test {
 namespace {
 
-struct Builder { std::unique_ptr<Element> root; Element* open = nullptr; };
+struct Builder {
+  std::unique_ptr<Element> root;
+  Element* open = nullptr;
+};
 
 void XMLCALL start(void* data, const char* name, const char** attributes) {
   auto& b = *static_cast<Builder*>(data);
@@ -15,8 +18,10 @@ void XMLCALL start(void* data, const char* name, const char** attributes) {
   element->parent = b.open;
   for (; *attributes; attributes += 2) element->attributes[attributes[0]] = attributes[1];
   Element* raw = element.get();
-  if (b.open) b.open->children.push_back(std::move(element));
-  else b.root = std::move(element);
+  if (b.open)
+    b.open->children.push_back(std::move(element));
+  else
+    b.root = std::move(element);
   b.open = raw;
 }
 
@@ -37,7 +42,9 @@ std::string Element::attribute(const std::string& key) const {
   return found == attributes.end() ? "" : found->second;
 }
 
-bool Element::hasClass(const std::string& one) const { return (" " + attribute("class") + " ").find(" " + one + " ") != std::string::npos; }
+bool Element::hasClass(const std::string& one) const {
+  return (" " + attribute("class") + " ").find(" " + one + " ") != std::string::npos;
+}
 
 std::vector<const Element*> Element::all(const std::string& element, const std::string& className) const {
   std::vector<const Element*> found;

@@ -13,7 +13,7 @@ struct Element {
   std::string name;
   std::map<std::string, std::string> attributes;
   std::vector<std::unique_ptr<Element>> children;
-  std::string text;   ///< of this element and all below, in order
+  std::string text;  ///< of this element and all below, in order
   Element* parent = nullptr;
 
   std::string attribute(const std::string& key) const;

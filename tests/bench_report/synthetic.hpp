@@ -1,4 +1,5 @@
-// A small results.json with every kind of point, whose figures follow simple laws so that tests can compute what is right.
+// A small results.json with every kind of point, whose figures follow simple laws so that tests can compute what is
+// right.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@ namespace tyndall::bench::test {
 nlohmann::json results();
 
 /// A point without anything that may be missing but the time and the error.
-nlohmann::json point(const std::string& series, const std::string& technique, const std::string& label, double ms, double nrmse);
+nlohmann::json point(const std::string& series, const std::string& technique, const std::string& label, double ms,
+                     double nrmse);
 
 }  // namespace tyndall::bench::test

@@ -14,7 +14,8 @@ namespace {
 std::string tickLabel(double value) {
   for (int digits = 1; digits < 6; ++digits) {
     const double scale = std::pow(10.0, digits - 1 - std::floor(std::log10(std::abs(value))));
-    if (value == 0 || std::abs(std::round(value * scale) / scale - value) <= 1e-9 * std::abs(value)) return figure(value, digits);
+    if (value == 0 || std::abs(std::round(value * scale) / scale - value) <= 1e-9 * std::abs(value))
+      return figure(value, digits);
   }
   return figure(value, 6);
 }
@@ -52,13 +53,17 @@ AxisMap::AxisMap(const Axis& axis, const std::vector<double>& values, double beg
   if (!axis_.fromZero || low_ < 0) low_ -= room;
   high_ += room;
   if (axis_.ticksAtData && tickAt(data, 30)) return;
-  if (log) logTicks(data);
-  else linearTicks(data);
+  if (log)
+    logTicks(data);
+  else
+    linearTicks(data);
 }
 
 double AxisMap::position(double value) const { return axis_.scale == Scale::kLog ? std::log10(value) : value; }
 
-double AxisMap::pixel(double value) const { return begin_ + (end_ - begin_) * (position(value) - low_) / (high_ - low_); }
+double AxisMap::pixel(double value) const {
+  return begin_ + (end_ - begin_) * (position(value) - low_) / (high_ - low_);
+}
 
 /// True when the ticks at the data's own values have `room` pixels each.
 bool AxisMap::tickAt(const std::vector<double>& data, double room) {
@@ -75,7 +80,7 @@ bool AxisMap::tickAt(const std::vector<double>& data, double room) {
 void AxisMap::logTicks(const std::vector<double>&) {
   const int first = static_cast<int>(std::floor(low_)), last = static_cast<int>(std::floor(high_));
   const int decades = last - first + 1;
-  const int step = std::max(1, static_cast<int>(std::ceil(decades / 8.0)));   // every n-th decade on very long axes
+  const int step = std::max(1, static_cast<int>(std::ceil(decades / 8.0)));  // every n-th decade on very long axes
   const std::vector<std::set<int>> sets = {{1}, {1, 2, 5}, {1, 2, 3, 5, 7}, {1, 2, 3, 4, 5, 6, 7, 8, 9}};
   for (const auto& labelled : sets) {
     ticks_.clear();
@@ -97,8 +102,12 @@ void AxisMap::linearTicks(const std::vector<double>&) {
   const double rough = (high_ - low_) / 6, power = std::pow(10.0, std::floor(std::log10(rough)));
   double step = 10 * power;
   for (const double m : {1.0, 2.0, 5.0})
-    if (m * power >= rough) { step = m * power; break; }
-  for (double i = std::ceil(low_ / step); i * step <= high_; ++i) ticks_.push_back({i * step, pixel(i * step), tickLabel(i * step)});
+    if (m * power >= rough) {
+      step = m * power;
+      break;
+    }
+  for (double i = std::ceil(low_ / step); i * step <= high_; ++i)
+    ticks_.push_back({i * step, pixel(i * step), tickLabel(i * step)});
 }
 
 }  // namespace tyndall::bench::report

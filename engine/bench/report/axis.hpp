@@ -11,14 +11,14 @@ enum class Scale { kLinear, kLog, kCategory };
 struct Axis {
   std::string label;
   Scale scale = Scale::kLinear;
-  bool fromZero = false;                 ///< linear only: the axis begins at 0 (bars)
-  std::vector<std::string> categories;   ///< kCategory: values are 0, 1, …
-  bool ticksAtData = false;              ///< a tick at each value (a knob with a few settings) instead of round ones
+  bool fromZero = false;                ///< linear only: the axis begins at 0 (bars)
+  std::vector<std::string> categories;  ///< kCategory: values are 0, 1, …
+  bool ticksAtData = false;             ///< a tick at each value (a knob with a few settings) instead of round ones
 };
 
 struct Tick {
   double value = 0, pixel = 0;
-  std::string label;   ///< empty: a minor line
+  std::string label;  ///< empty: a minor line
 };
 
 /// An axis with its data's range, laid over the pixels [begin, end] (end < begin for an axis that points up).
@@ -29,7 +29,7 @@ class AxisMap {
   const std::vector<Tick>& ticks() const { return ticks_; }
 
  private:
-  double position(double value) const;   ///< value, or its logarithm
+  double position(double value) const;  ///< value, or its logarithm
   void logTicks(const std::vector<double>& data);
   void linearTicks(const std::vector<double>& data);
   bool tickAt(const std::vector<double>& data, double room);

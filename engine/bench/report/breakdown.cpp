@@ -48,11 +48,15 @@ std::string noteOf(const Point& p, Reference reference) {
 }
 
 std::string stages(const Points& chosen, Reference reference) {
-  std::map<std::string, int> fills;   // pass name -> fill, by first appearance
+  std::map<std::string, int> fills;  // pass name -> fill, by first appearance
   std::vector<std::pair<int, std::string>> legend;
   RowChart chart;
   chart.title = "Time of each pass";
-  chart.x = {"ms of each of the plugin's passes (medians, so that they need not add up to the median of the whole)", Scale::kLinear, true, {}, false};
+  chart.x = {"ms of each of the plugin's passes (medians, so that they need not add up to the median of the whole)",
+             Scale::kLinear,
+             true,
+             {},
+             false};
   chart.noteWidth = 160;
   for (const Point* p : chosen) {
     Row row = {nameOf(*p), noteOf(*p, reference), {}, {}};
@@ -61,11 +65,16 @@ std::string stages(const Points& chosen, Reference reference) {
       if (!fills.count(pass.name)) {
         const int fill = std::min(static_cast<int>(fills.size()), kFills - 1);
         fills[pass.name] = fill;
-        if (fill < kFills - 1) legend.emplace_back(fill, pass.name);
-        else if (legend.size() < kFills) legend.emplace_back(fill, "further passes");
+        if (fill < kFills - 1)
+          legend.emplace_back(fill, pass.name);
+        else if (legend.size() < kFills)
+          legend.emplace_back(fill, "further passes");
       }
-      const std::string share = p->volumetrics && p->volumetrics->median > 0 ? ", " + percent(pass.ms / p->volumetrics->median) + " of the plugin's time" : "";
-      row.segments.push_back({pass.ms, fills[pass.name], pass.name, nameOf(*p) + "\n" + pass.name + ": " + figure(pass.ms) + " ms" + share});
+      const std::string share = p->volumetrics && p->volumetrics->median > 0
+                                    ? ", " + percent(pass.ms / p->volumetrics->median) + " of the plugin's time"
+                                    : "";
+      row.segments.push_back({pass.ms, fills[pass.name], pass.name,
+                              nameOf(*p) + "\n" + pass.name + ": " + figure(pass.ms) + " ms" + share});
     }
     chart.rows.push_back(std::move(row));
   }
@@ -78,27 +87,55 @@ std::string floors(const Context& context, const Points& chosen, Reference refer
   if (!copy || !(*copy > 0)) return {};
   RowChart chart;
   chart.title = "Share of the bandwidth floor";
-  chart.x = {"bandwidth floor / time, percent (100: nothing but the bytes that must move)", Scale::kLinear, true, {}, false};
+  chart.x = {
+      "bandwidth floor / time, percent (100: nothing but the bytes that must move)", Scale::kLinear, true, {}, false};
   chart.noteWidth = 230;
   for (const Point* p : chosen) {
     if (!p->floorBytes || !p->volumetrics || !(p->volumetrics->median > 0)) continue;
     const double ms = *p->floorBytes / (*copy * 1e9) * 1e3, share = ms / p->volumetrics->median;
-    chart.rows.push_back({nameOf(*p), percent(share) + " (" + figure(ms) + " of " + figure(p->volumetrics->median) + " ms)",
-                          {{100 * share, 0, "", nameOf(*p) + "\n" + bytes(*p->floorBytes) + " a frame at " + figure(*copy) + " GB/s: " + figure(ms) + " ms\n" + noteOf(*p, reference)}}, {}});
+    chart.rows.push_back({nameOf(*p),
+                          percent(share) + " (" + figure(ms) + " of " + figure(p->volumetrics->median) + " ms)",
+                          {{100 * share, 0, "",
+                            nameOf(*p) + "\n" + bytes(*p->floorBytes) + " a frame at " + figure(*copy) +
+                                " GB/s: " + figure(ms) + " ms\n" + noteOf(*p, reference)}},
+                          {}});
   }
   const std::string plot = svg(chart);
-  return plot.empty() ? "" : figureBlock({plot}, "", "Bytes that the technique must move a frame, divided by the bandwidth of a copy measured on the device (" + figure(*copy) +
-                                                     " GB/s, read and written), as a share of the time. Over 100 percent: caches served a part.");
+  return plot.empty()
+             ? ""
+             : figureBlock(
+                   {plot}, "",
+                   "Bytes that the technique must move a frame, divided by the bandwidth of a copy measured on the "
+                   "device (" +
+                       figure(*copy) +
+                       " GB/s, read and written), as a share of the time. Over 100 percent: caches served a part.");
 }
 
 std::string parts(const Points& chosen, Reference reference) {
-  struct Part { const char* name; std::optional<Region> Split::*region; Style style; };
-  const std::vector<Part> kParts = {{"all pixels", &Split::all, {1, 1, 0}}, {"silhouettes", &Split::silhouettes, {5, 2, 0}}, {"interior", &Split::interior, {2, 0, 0}}, {"light", &Split::light, {6, 8, 0}}};
+  struct Part {
+    const char* name;
+    std::optional<Region> Split::*region;
+    Style style;
+  };
+  const std::vector<Part> kParts = {{"all pixels", &Split::all, {1, 1, 0}},
+                                    {"silhouettes", &Split::silhouettes, {5, 2, 0}},
+                                    {"interior", &Split::interior, {2, 0, 0}},
+                                    {"light", &Split::light, {6, 8, 0}}};
   RowChart chart;
   chart.title = "Error by kind of pixel";
-  chart.x = {"nRMSE against the " + std::string(referenceName(reference)) + " (each over the mean of the reference over all pixels)", Scale::kLog, false, {}, false};
+  chart.x = {"nRMSE against the " + std::string(referenceName(reference)) +
+                 " (each over the mean of the reference over all pixels)",
+             Scale::kLog,
+             false,
+             {},
+             false};
   Markup table;
-  table.open("div", {{"class", "scroll"}}).open("table").element("caption", "Share of the squared error, and of the pixels").open("thead").open("tr").element("th", "point", {{"scope", "col"}});
+  table.open("div", {{"class", "scroll"}})
+      .open("table")
+      .element("caption", "Share of the squared error, and of the pixels")
+      .open("thead")
+      .open("tr")
+      .element("th", "point", {{"scope", "col"}});
   for (std::size_t k = 1; k < kParts.size(); ++k) table.element("th", kParts[k].name, {{"scope", "col"}});
   table.close().close().open("tbody");
   bool shares = false;
@@ -109,9 +146,13 @@ std::string parts(const Points& chosen, Reference reference) {
     for (std::size_t k = 0; k < kParts.size(); ++k) {
       const auto& region = s.*(kParts[k].region);
       if (!region) continue;
-      row.dots.push_back({region->nrmse, kParts[k].style, nameOf(*p) + "\n" + kParts[k].name + ": nRMSE " + figure(region->nrmse) + (region->p99 ? ", p99 " + figure(*region->p99) : "") +
-                                                              (region->bias ? ", bias " + figure(*region->bias) : "") + (region->pixels ? ", " + whole(*region->pixels) + " pixels" : "")});
-      if (k > 0 && region->pixels) squares += region->nrmse * region->nrmse * *region->pixels, pixels += *region->pixels;
+      row.dots.push_back({region->nrmse, kParts[k].style,
+                          nameOf(*p) + "\n" + kParts[k].name + ": nRMSE " + figure(region->nrmse) +
+                              (region->p99 ? ", p99 " + figure(*region->p99) : "") +
+                              (region->bias ? ", bias " + figure(*region->bias) : "") +
+                              (region->pixels ? ", " + whole(*region->pixels) + " pixels" : "")});
+      if (k > 0 && region->pixels)
+        squares += region->nrmse * region->nrmse * *region->pixels, pixels += *region->pixels;
     }
     if (row.dots.size() > 1) chart.rows.push_back(row);
     if (!(squares > 0)) continue;
@@ -119,22 +160,26 @@ std::string parts(const Points& chosen, Reference reference) {
     table.open("tr").element("th", nameOf(*p), {{"scope", "row"}});
     for (std::size_t k = 1; k < kParts.size(); ++k) {
       const auto& region = s.*(kParts[k].region);
-      if (region && region->pixels) table.open("td", {{"class", "number"}}).text(percent(region->nrmse * region->nrmse * *region->pixels / squares) + " ").element("small", "of " + percent(*region->pixels / pixels)).close();
-      else table.element("td", "–", {{"class", "none"}});
+      if (region && region->pixels)
+        table.open("td", {{"class", "number"}})
+            .text(percent(region->nrmse * region->nrmse * *region->pixels / squares) + " ")
+            .element("small", "of " + percent(*region->pixels / pixels))
+            .close();
+      else
+        table.element("td", "–", {{"class", "none"}});
     }
     table.close();
   }
   table.close().close().close();
   const std::string plot = svg(chart);
   if (plot.empty()) return {};
-  Markup legend;
-  legend.open("ul", {{"class", "legend"}});
-  for (const Part& part : kParts)
-    legend.open("li").open("svg", {{"class", "swatch"}, {"xmlns", "http://www.w3.org/2000/svg"}, {"viewBox", "-8 -8 16 16"}, {"width", 16}, {"height", 16}, {"aria-hidden", "true"}})
-        .open("g", {{"class", "mark " + colourClass(part.style.colour)}}).leaf("path", {{"class", "dot"}, {"d", markerPath(part.style.marker)}}).close().close().text(std::string(" ") + part.name).close();
-  legend.close();
-  return figureBlock({plot}, legend.take(), "Silhouettes: a relative step of depth over 5 % among a pixel's neighbours, or picture and truth end on different surfaces. "
-                                            "Light: within 16 pixels of a light's image. Interior: the rest.") + (shares ? table.take() : "");
+  std::vector<std::pair<Style, std::string>> legend;
+  for (const Part& part : kParts) legend.emplace_back(part.style, part.name);
+  return figureBlock({plot}, markerLegend(legend),
+                     "Silhouettes: a relative step of depth over 5 % among a pixel's neighbours, or picture and truth "
+                     "end on different surfaces. "
+                     "Light: within 16 pixels of a light's image. Interior: the rest.") +
+         (shares ? table.take() : "");
 }
 
 }  // namespace
@@ -147,7 +192,8 @@ std::string breakdownPart(const Context& context, const Points& points, Referenc
   if (body.empty()) return {};
   Markup m;
   m.element("h3", "Where time and error go");
-  m.element("p", "One point of each series: the one whose error is nearest to nRMSE " + figure(*error) + ", the error (of 1, 2, 5 times a power of ten) that most curves pass.");
+  m.element("p", "One point of each series: the one whose error is nearest to nRMSE " + figure(*error) +
+                     ", the error (of 1, 2, 5 times a power of ten) that most curves pass.");
   return m.take() + body;
 }
 

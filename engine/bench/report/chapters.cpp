@@ -22,8 +22,10 @@ std::string anchorOf(const Level& level) {
   std::string anchor = "level-";
   for (const char c : level.name) {
     const auto code = static_cast<unsigned char>(c);
-    if (code < 0x80 && std::isalnum(code)) anchor += c;
-    else anchor += "_" + std::to_string(code) + "_";
+    if (code < 0x80 && std::isalnum(code))
+      anchor += c;
+    else
+      anchor += "_" + std::to_string(code) + "_";
   }
   return anchor + "-" + std::to_string(level.camera);
 }
@@ -41,7 +43,9 @@ std::string levelChapter(const Context& context, const Level& level) {
   body += knobsPart(context, inLevel(pointsOf(context.results, "knob"), level));
   body += temporalPart(context, inLevel(pointsOf(context.results, "motion"), level));
   Markup m;
-  m.element("h2", (level.name.empty() ? "Level without a name" : level.name) + ", camera " + std::to_string(level.camera), {{"id", anchorOf(level)}});
+  m.element("h2",
+            (level.name.empty() ? "Level without a name" : level.name) + ", camera " + std::to_string(level.camera),
+            {{"id", anchorOf(level)}});
   if (body.empty()) m.element("p", "No plot of its own: the points of this level are in the chapters below.");
   return m.take() + body;
 }

@@ -7,11 +7,11 @@
 
 namespace tyndall::bench::report {
 
-std::string headChapter(const Context& context);                         ///< what was measured, how, and what to mind
-std::string levelChapter(const Context& context, const Level& level);    ///< all of the plots of one level and camera
-std::string scalingChapter(const Context& context);                      ///< time against resolution, map, lights, triangles
-std::string papersChapter(const Context& context);                       ///< the papers' tables, theirs beside ours
-std::string pointsChapter(const Context& context);                       ///< every point, and those that failed
+std::string headChapter(const Context& context);                       ///< what was measured, how, and what to mind
+std::string levelChapter(const Context& context, const Level& level);  ///< all of the plots of one level and camera
+std::string scalingChapter(const Context& context);  ///< time against resolution, map, lights, triangles
+std::string papersChapter(const Context& context);   ///< the papers' tables, theirs beside ours
+std::string pointsChapter(const Context& context);   ///< every point, and those that failed
 
 // Parts of a level's chapter, for the points of one view (error and time) or of the level (the rest).
 std::string errorTimePart(const Context& context, const Level& level, const View& view, const Points& points);

@@ -21,9 +21,14 @@ std::vector<double> ladder(double low, double high) {
   return {};
 }
 
-struct Curve { std::string name; Style style; std::vector<CostError> front; };
+struct Curve {
+  std::string name;
+  Style style;
+  std::vector<CostError> front;
+};
 
-void cell(Markup& m, const std::optional<double>& value, const std::optional<double>& march, const std::optional<double>& bound, const char* unit) {
+void cell(Markup& m, const std::optional<double>& value, const std::optional<double>& march,
+          const std::optional<double>& bound, const char* unit) {
   if (value) {
     m.open("td", {{"class", "number"}}).text(figure(*value) + unit);
     if (march) m.text(" ").element("small", figure(*value / *march) + "×");
@@ -56,10 +61,13 @@ std::string equalTables(const Context& context, const Points& points, Reference 
   }
 
   Markup m;
-  const std::string note = std::string("Interpolated linearly in both logarithms along each series' own Pareto front; never extrapolated.") +
-                           (march.empty() ? "" : " Small: ratio to the plain march (the front of all its series) in the same column.") +
-                           " † the series has no point so coarse: what its coarsest or slowest point gives is a bound, and no ratio is formed.";
-  const auto table = [&](const std::string& title, const std::vector<double>& columns, const std::string& head, bool byError) {
+  const std::string note =
+      std::string("Interpolated linearly in both logarithms along each series' own Pareto front; never extrapolated.") +
+      (march.empty() ? "" : " Small: ratio to the plain march (the front of all its series) in the same column.") +
+      " † the series has no point so coarse: what its coarsest or slowest point gives is a bound, and no ratio is "
+      "formed.";
+  const auto table = [&](const std::string& title, const std::vector<double>& columns, const std::string& head,
+                         bool byError) {
     if (columns.empty()) return;
     m.open("div", {{"class", "scroll"}}).open("table", {{"class", "equal"}});
     m.element("caption", title).open("thead").open("tr").element("th", "series", {{"scope", "col"}});
@@ -69,11 +77,13 @@ std::string equalTables(const Context& context, const Points& points, Reference 
       m.open("tr").element("th", c.name, {{"scope", "row"}});
       for (const double at : columns) {
         if (byError) {
-          const bool finer = c.front.front().error < at;   // its coarsest point has less error already
-          cell(m, costAtError(c.front, at), costAtError(march, at), finer ? Number(c.front.front().cost) : Number(), " ms");
+          const bool finer = c.front.front().error < at;  // its coarsest point has less error already
+          cell(m, costAtError(c.front, at), costAtError(march, at), finer ? Number(c.front.front().cost) : Number(),
+               " ms");
         } else {
-          const bool sooner = c.front.back().cost < at;   // its slowest point takes less already
-          cell(m, errorAtCost(c.front, at), errorAtCost(march, at), sooner ? Number(c.front.back().error) : Number(), "");
+          const bool sooner = c.front.back().cost < at;  // its slowest point takes less already
+          cell(m, errorAtCost(c.front, at), errorAtCost(march, at), sooner ? Number(c.front.back().error) : Number(),
+               "");
         }
       }
       m.close();

@@ -111,10 +111,13 @@ std::vector<Stretch> compareAtEqualError(std::span<const CostError> first, std::
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t c = 1; c < cuts.size(); ++c) {
       if (cuts[c] <= cuts[c - 1]) continue;
-      const auto errorAt = [&](double t) { return t == 0 ? e0 : t == 1 ? e1 : std::exp(std::lerp(std::log(e0), std::log(e1), t)); };
+      const auto errorAt = [&](double t) {
+        return t == 0 ? e0 : t == 1 ? e1 : std::exp(std::lerp(std::log(e0), std::log(e1), t));
+      };
       const auto ratioAt = [&](double t) { return std::exp(std::lerp(r0, r1, t)); };
       const double middle = std::lerp(r0, r1, 0.5 * (cuts[c - 1] + cuts[c]));
-      append(stretches, cheaperAt(middle, logEqual), errorAt(cuts[c - 1]), errorAt(cuts[c]), ratioAt(cuts[c - 1]), ratioAt(cuts[c]));
+      append(stretches, cheaperAt(middle, logEqual), errorAt(cuts[c - 1]), errorAt(cuts[c]), ratioAt(cuts[c - 1]),
+             ratioAt(cuts[c]));
     }
   }
   return stretches;

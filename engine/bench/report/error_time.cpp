@@ -11,12 +11,17 @@
 namespace tyndall::bench::report {
 namespace {
 
-std::string caption(const LinePlot& plot, std::size_t points, std::size_t without, std::size_t zero, Reference reference) {
-  std::string text = "The plugin's GPU time (median, bars: quartiles) against nRMSE over all pixels (" + std::string(referenceName(reference)) +
-                     "), both logarithmic; lower left is better. Grey staircase: the Pareto front of " + std::to_string(points) + " " + plural(points, "point") +
+std::string caption(const LinePlot& plot, std::size_t points, std::size_t without, std::size_t zero,
+                    Reference reference) {
+  std::string text = "The plugin's GPU time (median, bars: quartiles) against nRMSE over all pixels (" +
+                     std::string(referenceName(reference)) +
+                     "), both logarithmic; lower left is better. Grey staircase: the Pareto front of " +
+                     std::to_string(points) + " " + plural(points, "point") +
                      "; the names are its points. The engine's shadow maps are not in these times.";
   if (plot.rule) text += " Dashed: how well the truth itself has converged.";
-  if (without) text += " " + std::to_string(without) + " " + plural(without, "point") + " without a time or an error " + (without == 1 ? "is" : "are") + " left out.";
+  if (without)
+    text += " " + std::to_string(without) + " " + plural(without, "point") + " without a time or an error " +
+            (without == 1 ? "is" : "are") + " left out.";
   if (zero) text += " " + std::to_string(zero) + " with a time or an error of 0 cannot be drawn on these axes.";
   return text;
 }
@@ -30,12 +35,14 @@ std::string errorTimePart(const Context& context, const Level& level, const View
   if (all.empty()) return {};
 
   LinePlot plot;
-  plot.title = "Run time against error, " + level.name + " camera " + std::to_string(level.camera) + ", " + sizeText(view);
+  plot.title =
+      "Run time against error, " + level.name + " camera " + std::to_string(level.camera) + ", " + sizeText(view);
   plot.x = {"nRMSE against the " + std::string(referenceName(reference)), Scale::kLog, false, {}, false};
   plot.y = {"volumetrics, ms", Scale::kLog, false, {}, false};
   plot.width = 860;
   plot.height = 520;
-  if (reference == Reference::kTruth && level.truthSelfNrmse && *level.truthSelfNrmse > 0) plot.rule = Rule{*level.truthSelfNrmse, "truth's convergence"};
+  if (reference == Reference::kTruth && level.truthSelfNrmse && *level.truthSelfNrmse > 0)
+    plot.rule = Rule{*level.truthSelfNrmse, "truth's convergence"};
 
   std::vector<CostError> drawable;
   Points drawn;
@@ -50,13 +57,15 @@ std::string errorTimePart(const Context& context, const Level& level, const View
   for (const auto& [name, own] : bySeries(drawn, context.styles)) {
     Line line = {name, context.styles.of(name), {}, true};
     for (const Point* p : own)
-      line.marks.push_back({*errorOf(*p, reference), *timeOf(*p), p->volumetrics->low, p->volumetrics->high, tipOf(*p, reference), front.count(p) ? nameOf(*p) : ""});
+      line.marks.push_back({*errorOf(*p, reference), *timeOf(*p), p->volumetrics->low, p->volumetrics->high,
+                            tipOf(*p, reference), front.count(p) ? nameOf(*p) : ""});
     plot.lines.push_back(std::move(line));
     series.push_back(name);
   }
 
   Markup m;
-  m.raw(figureBlock({svg(plot)}, legend(series, context.styles), caption(plot, drawn.size(), points.size() - all.size(), all.size() - drawn.size(), reference)));
+  m.raw(figureBlock({svg(plot)}, legend(series, context.styles),
+                    caption(plot, drawn.size(), points.size() - all.size(), all.size() - drawn.size(), reference)));
   m.open("ul", {{"class", "findings"}});
   for (const std::string& line : sentences(context, level, points, reference)) m.element("li", line);
   m.close();

@@ -39,7 +39,9 @@ void facts(Markup& m, const Results& r) {
   m.element("dt", "Again by").open("dd").element("code", commandOf(r)).close();
   m.close();
   if (r.settings.empty()) return;
-  m.open("details", {{"open", "open"}}).element("summary", "Settings that all points share").open("ul", {{"class", "settings"}});
+  m.open("details", {{"open", "open"}})
+      .element("summary", "Settings that all points share")
+      .open("ul", {{"class", "settings"}});
   for (const auto& [id, value] : r.settings) m.open("li").element("code", id + " = " + value.text).close();
   m.close().close();
 }
@@ -54,15 +56,26 @@ void mind(Markup& m, const Results& r) {
     if (p.volumetrics->n) n = n == 0 ? *p.volumetrics->n : std::min(n, *p.volumetrics->n);
   }
   m.element("h2", "To mind", {{"id", "mind"}}).open("ul");
-  m.element("li", "Times are GPU times of the plugin's own passes. The engine's shadow maps, G-buffer and lighting are not in them; a table at the end has shadow maps and whole frame too.");
+  m.element("li",
+            "Times are GPU times of the plugin's own passes. The engine's shadow maps, G-buffer and lighting are not "
+            "in them; a table at the end has shadow maps and whole frame too.");
   if (!spreads.empty()) {
     std::nth_element(spreads.begin(), spreads.begin() + static_cast<std::ptrdiff_t>(spreads.size() / 2), spreads.end());
-    m.element("li", "Noise: error bars are quartiles" + (n > 0 ? " of " + whole(n) + " or more repetitions" : std::string()) + "; from quartile to quartile they span " +
-                        percent(spreads[spreads.size() / 2]) + " of the median at half of the points, " + percent(worst) + " at the worst. Smaller differences mean nothing.");
+    m.element("li", "Noise: error bars are quartiles" +
+                        (n > 0 ? " of " + whole(n) + " or more repetitions" : std::string()) +
+                        "; from quartile to quartile they span " + percent(spreads[spreads.size() / 2]) +
+                        " of the median at half of the points, " + percent(worst) +
+                        " at the worst. Smaller differences mean nothing.");
   }
-  m.element("li", "Errors are those of the in-scattered radiance, RMSE over the mean of the reference (nRMSE), at the size and on the camera named: other sizes and views have other errors. They do not vary from run to run.");
-  m.element("li", "The ray-traced truth is sampled and has an error of its own; the table below has its samples a view ray and light, and its difference from a truth with half of them. Errors near that are the truth's.");
-  m.element("li", "Silhouettes hold errors that are no technique's: rasteriser and ray tracer may end a pixel's ray on different surfaces. The split of the error tells them apart.");
+  m.element("li",
+            "Errors are those of the in-scattered radiance, RMSE over the mean of the reference (nRMSE), at the size "
+            "and on the camera named: other sizes and views have other errors. They do not vary from run to run.");
+  m.element("li",
+            "The ray-traced truth is sampled and has an error of its own; the table below has its samples a view ray "
+            "and light, and its difference from a truth with half of them. Errors near that are the truth's.");
+  m.element("li",
+            "Silhouettes hold errors that are no technique's: rasteriser and ray tracer may end a pixel's ray on "
+            "different surfaces. The split of the error tells them apart.");
   m.close();
 }
 
@@ -70,20 +83,31 @@ void levels(Markup& m, const Results& r) {
   if (r.levels.empty()) return;
   m.element("h2", "Levels", {{"id", "levels"}});
   m.open("div", {{"class", "scroll"}}).open("table", {{"class", "sortable"}}).open("thead").open("tr");
-  for (const char* head : {"level", "camera", "triangles", "lights", "a light in view", "truth's samples", "truth against half the samples, nRMSE", "points"}) m.element("th", head, {{"scope", "col"}});
+  for (const char* head : {"level", "camera", "triangles", "lights", "a light in view", "truth's samples",
+                           "truth against half the samples, nRMSE", "points"})
+    m.element("th", head, {{"scope", "col"}});
   m.close().close().open("tbody");
   const auto number = [&](const Number& v, bool count) {
-    if (v) m.element("td", count ? whole(*v) : figure(*v), {{"class", "number"}, {"data-v", exact(*v)}});
-    else m.element("td", "–", {{"class", "none"}});
+    if (v)
+      m.element("td", count ? whole(*v) : figure(*v), {{"class", "number"}, {"data-v", exact(*v)}});
+    else
+      m.element("td", "–", {{"class", "none"}});
   };
   for (const Level& l : r.levels) {
-    m.open("tr").open("th", {{"scope", "row"}}).element("a", l.name, {{"href", "#" + anchorOf(l)}}).close().element("td", std::to_string(l.camera), {{"class", "number"}});
+    m.open("tr")
+        .open("th", {{"scope", "row"}})
+        .element("a", l.name, {{"href", "#" + anchorOf(l)}})
+        .close()
+        .element("td", std::to_string(l.camera), {{"class", "number"}});
     number(l.triangles, true);
     number(l.lights, true);
     m.element("td", l.lightInView ? (*l.lightInView ? "yes" : "no") : "–");
     number(l.truthSamples, true);
     number(l.truthSelfNrmse, false);
-    number(static_cast<double>(std::count_if(r.points.begin(), r.points.end(), [&](const Point& p) { return p.level == l.name && p.camera == l.camera; })), true);
+    number(
+        static_cast<double>(std::count_if(r.points.begin(), r.points.end(),
+                                          [&](const Point& p) { return p.level == l.name && p.camera == l.camera; })),
+        true);
     m.close();
   }
   m.close().close().close();

@@ -14,7 +14,7 @@ class KnobAxis {
   /// The values of `points`' knobs; those without a knob do not count.
   KnobAxis(const std::string& label, const Points& points);
   const Axis& axis() const { return axis_; }
-  std::size_t values() const { return values_; }   ///< how many different ones
+  std::size_t values() const { return values_; }  ///< how many different ones
   Number position(const Point& p) const;
 
  private:

@@ -1,4 +1,4 @@
-// Error and time against each knob, and what moves when the camera or the lights do.
+// Error and time against each knob.
 #include <algorithm>
 #include <set>
 
@@ -13,34 +13,6 @@ namespace {
 
 using Get = Number (*)(const Point&, Reference);
 Number timeValue(const Point& p, Reference) { return timeOf(p); }
-Number temporalError(const Point& p, Reference) { return p.temporal ? p.temporal->nrmseMean : Number(); }
-Number temporalFlicker(const Point& p, Reference) { return p.temporal ? p.temporal->flicker : Number(); }
-
-/// Temporal figure against time, every series a curve.
-std::string againstTime(const Context& context, const Points& points, const std::string& label, Get get, std::set<std::string>& shown) {
-  LinePlot plot;
-  plot.title = label + " against time";
-  plot.x = {label, Scale::kLog, false, {}, false};
-  plot.y = {"volumetrics, ms", Scale::kLog, false, {}, false};
-  for (const auto& [series, own] : bySeries(points, context.styles)) {
-    Line line = {series, context.styles.of(series), {}, true};
-    for (const Point* p : own) {
-      const Number x = get(*p, Reference::kTruth), y = timeOf(*p);
-      if (!x || !y) continue;
-      line.marks.push_back({*x, *y, p->volumetrics->low, p->volumetrics->high, tipOf(*p, referenceOf(points)) + "\n" + label + " " + figure(*x), p->label});
-    }
-    if (!line.marks.empty()) shown.insert(series);
-    plot.lines.push_back(std::move(line));
-  }
-  return svg(plot);
-}
-
-std::vector<std::string> inOrder(const Context& context, const std::set<std::string>& shown) {
-  std::vector<std::string> order;
-  for (const std::string& s : context.styles.series())
-    if (shown.count(s)) order.push_back(s);
-  return order;
-}
 
 }  // namespace
 
@@ -56,10 +28,12 @@ std::string knobsPart(const Context& context, const Points& points) {
     for (const auto& [view, members] : byView(own)) {
       const Reference reference = referenceOf(members);
       const KnobAxis axis(id, members);
-      if (axis.values() < 2) continue;   // a curve of one value shows nothing
+      if (axis.values() < 2) continue;  // a curve of one value shows nothing
       std::set<std::string> shown;
       std::vector<std::string> plots;
-      for (const auto& [label, get] : {std::pair<std::string, Get>{"nRMSE against the " + std::string(referenceName(reference)), &errorOf}, {"volumetrics, ms", &timeValue}}) {
+      for (const auto& [label, get] :
+           {std::pair<std::string, Get>{"nRMSE against the " + std::string(referenceName(reference)), &errorOf},
+            {"volumetrics, ms", &timeValue}}) {
         LinePlot plot;
         plot.title = label + " against " + id;
         plot.x = axis.axis();
@@ -70,7 +44,8 @@ std::string knobsPart(const Context& context, const Points& points) {
             const Number x = axis.position(*p), y = get(*p, reference);
             if (!x || !y) continue;
             const bool time = get == &timeValue;
-            line.marks.push_back({*x, *y, time ? p->volumetrics->low : Number(), time ? p->volumetrics->high : Number(), tipOf(*p, reference) + "\n" + id + " = " + p->knob->value.text, ""});
+            line.marks.push_back({*x, *y, time ? p->volumetrics->low : Number(), time ? p->volumetrics->high : Number(),
+                                  tipOf(*p, reference) + "\n" + id + " = " + p->knob->value.text, ""});
           }
           if (!line.marks.empty()) shown.insert(series);
           plot.lines.push_back(std::move(line));
@@ -80,30 +55,12 @@ std::string knobsPart(const Context& context, const Points& points) {
       if (plots.empty()) continue;
       Markup m;
       m.element("h4", id + ", " + sizeText(view));
-      body += m.take() + figureBlock(plots, legend(inOrder(context, shown), context.styles), "");
+      body += m.take() + figureBlock(plots, legend(context.styles.inOrder(shown), context.styles), "");
     }
   }
   if (body.empty()) return {};
   Markup m;
   m.element("h3", "Error and time against each knob");
-  return m.take() + body;
-}
-
-std::string temporalPart(const Context& context, const Points& points) {
-  std::string body;
-  for (const auto& [view, members] : byView(points)) {
-    std::set<std::string> shown;
-    std::vector<std::string> plots;
-    for (const auto& [label, get] : {std::pair<std::string, Get>{"mean nRMSE along the path", &temporalError}, {"flicker", &temporalFlicker}})
-      if (std::string drawn = againstTime(context, members, label, get, shown); !drawn.empty()) plots.push_back(std::move(drawn));
-    if (!plots.empty())
-      body += figureBlock(plots, legend(inOrder(context, shown), context.styles),
-                          sizeText(view) + ". Along a moving path: the mean of the frames' nRMSE; flicker: RMS over pixels and frames of the change from frame to frame minus the reference's own change, "
-                                           "over the reference's mean. Lower left is better.");
-  }
-  if (body.empty()) return {};
-  Markup m;
-  m.element("h3", "In motion");
   return m.take() + body;
 }
 

@@ -8,12 +8,18 @@
 namespace tyndall::bench::report {
 namespace {
 
-struct Box { double left, top, right, bottom; };
+struct Box {
+  double left, top, right, bottom;
+};
 
-bool overlap(const Box& a, const Box& b) { return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom; }
+bool overlap(const Box& a, const Box& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
 
 /// The plot's inner rectangle in user units.
-struct Frame { double left, top, right, bottom; };
+struct Frame {
+  double left, top, right, bottom;
+};
 
 class Drawing {
  public:
@@ -21,8 +27,12 @@ class Drawing {
       : plot_(plot), f_(f), x_(plot.x, xs, f.left, f.right), y_(plot.y, ys, f.bottom, f.top) {}
 
   std::string draw() {
-    m_.open("svg", {{"class", "plot"}, {"xmlns", "http://www.w3.org/2000/svg"}, {"role", "img"}, {"aria-label", plot_.title},
-                    {"viewBox", "0 0 " + coordinate(plot_.width) + " " + coordinate(plot_.height)}, {"style", "max-width:" + coordinate(plot_.width) + "px"}});
+    m_.open("svg", {{"class", "plot"},
+                    {"xmlns", "http://www.w3.org/2000/svg"},
+                    {"role", "img"},
+                    {"aria-label", plot_.title},
+                    {"viewBox", "0 0 " + coordinate(plot_.width) + " " + coordinate(plot_.height)},
+                    {"style", "max-width:" + coordinate(plot_.width) + "px"}});
     axes();
     front();
     rule();
@@ -40,16 +50,30 @@ class Drawing {
 
   void axes() {
     for (const Tick& t : x_.ticks()) {
-      m_.leaf("line", {{"class", t.label.empty() ? "grid minor" : "grid"}, {"x1", t.pixel}, {"x2", t.pixel}, {"y1", f_.top}, {"y2", f_.bottom}});
+      m_.leaf("line", {{"class", t.label.empty() ? "grid minor" : "grid"},
+                       {"x1", t.pixel},
+                       {"x2", t.pixel},
+                       {"y1", f_.top},
+                       {"y2", f_.bottom}});
       if (!t.label.empty()) m_.element("text", t.label, {{"class", "tick x"}, {"x", t.pixel}, {"y", f_.bottom + 16}});
     }
     for (const Tick& t : y_.ticks()) {
-      m_.leaf("line", {{"class", t.label.empty() ? "grid minor" : "grid"}, {"x1", f_.left}, {"x2", f_.right}, {"y1", t.pixel}, {"y2", t.pixel}});
+      m_.leaf("line", {{"class", t.label.empty() ? "grid minor" : "grid"},
+                       {"x1", f_.left},
+                       {"x2", f_.right},
+                       {"y1", t.pixel},
+                       {"y2", t.pixel}});
       if (!t.label.empty()) m_.element("text", t.label, {{"class", "tick y"}, {"x", f_.left - 6}, {"y", t.pixel + 4}});
     }
-    m_.leaf("rect", {{"class", "frame"}, {"x", f_.left}, {"y", f_.top}, {"width", f_.right - f_.left}, {"height", f_.bottom - f_.top}});
+    m_.leaf("rect", {{"class", "frame"},
+                     {"x", f_.left},
+                     {"y", f_.top},
+                     {"width", f_.right - f_.left},
+                     {"height", f_.bottom - f_.top}});
     m_.element("text", plot_.x.label, {{"class", "axis x"}, {"x", 0.5 * (f_.left + f_.right)}, {"y", f_.bottom + 36}});
-    m_.element("text", plot_.y.label, {{"class", "axis y"}, {"transform", "translate(14 " + coordinate(0.5 * (f_.top + f_.bottom)) + ") rotate(-90)"}});
+    m_.element("text", plot_.y.label,
+               {{"class", "axis y"},
+                {"transform", "translate(14 " + coordinate(0.5 * (f_.top + f_.bottom)) + ") rotate(-90)"}});
   }
 
   /// A staircase: what lies above and to the right of it is beaten in both.
@@ -57,10 +81,12 @@ class Drawing {
     if (plot_.front.empty()) return;
     std::string path;
     double lastX = 0;
-    for (const auto& [vx, vy] : plot_.front) {   // by rising y, so from right to left
+    for (const auto& [vx, vy] : plot_.front) {  // by rising y, so from right to left
       const double px = x_.pixel(vx), py = y_.pixel(vy);
-      if (path.empty()) path = "M" + coordinate(f_.right) + " " + coordinate(py) + "H" + coordinate(px);
-      else path += "H" + coordinate(lastX) + "V" + coordinate(py) + "H" + coordinate(px);
+      if (path.empty())
+        path = "M" + coordinate(f_.right) + " " + coordinate(py) + "H" + coordinate(px);
+      else
+        path += "H" + coordinate(lastX) + "V" + coordinate(py) + "H" + coordinate(px);
       lastX = px;
     }
     path += "V" + coordinate(f_.top);
@@ -72,7 +98,9 @@ class Drawing {
     const double px = x_.pixel(plot_.rule->x);
     if (px < f_.left || px > f_.right) return;
     m_.leaf("line", {{"class", "rule"}, {"x1", px}, {"x2", px}, {"y1", f_.top}, {"y2", f_.bottom}});
-    m_.element("text", plot_.rule->label, {{"class", "rule"}, {"transform", "translate(" + coordinate(px - 4) + " " + coordinate(f_.top + 6) + ") rotate(-90)"}});
+    m_.element("text", plot_.rule->label,
+               {{"class", "rule"},
+                {"transform", "translate(" + coordinate(px - 4) + " " + coordinate(f_.top + 6) + ") rotate(-90)"}});
     taken_.push_back({px - 14, f_.top, px + 1, f_.top + 6.3 * static_cast<double>(plot_.rule->label.size())});
   }
 
@@ -83,16 +111,23 @@ class Drawing {
       path += (path.empty() ? "M" : "L") + coordinate(x_.pixel(mark.x)) + " " + coordinate(y_.pixel(mark.y));
     }
     if (!line.joined || path.find('L') == std::string::npos) return;
-    m_.leaf("path", {{"class", "curve " + colourClass(line.style.colour)}, {"d", path}, {"stroke-dasharray", line.style.dash ? dashes(line.style.dash) : "none"}, {"data-series", line.series}});
+    m_.leaf("path", {{"class", "curve " + colourClass(line.style.colour)},
+                     {"d", path},
+                     {"stroke-dasharray", line.style.dash ? dashes(line.style.dash) : "none"},
+                     {"data-series", line.series}});
   }
 
   void marker(const Line& line, const Mark& mark) {
     const double px = x_.pixel(mark.x), py = y_.pixel(mark.y);
-    m_.open("g", {{"class", "mark " + colourClass(line.style.colour)}, {"transform", "translate(" + coordinate(px) + " " + coordinate(py) + ")"}, {"data-series", line.series}});
+    m_.open("g", {{"class", "mark " + colourClass(line.style.colour)},
+                  {"transform", "translate(" + coordinate(px) + " " + coordinate(py) + ")"},
+                  {"data-series", line.series}});
     m_.element("title", mark.tip);
     if (mark.yLow && mark.yHigh && showable(plot_.y.scale, *mark.yLow)) {
       const double a = y_.pixel(*mark.yHigh) - py, b = y_.pixel(*mark.yLow) - py;
-      m_.leaf("path", {{"class", "bar"}, {"d", "M-3 " + coordinate(a) + "H3M0 " + coordinate(a) + "V" + coordinate(b) + "M-3 " + coordinate(b) + "H3"}});
+      m_.leaf("path", {{"class", "bar"},
+                       {"d", "M-3 " + coordinate(a) + "H3M0 " + coordinate(a) + "V" + coordinate(b) + "M-3 " +
+                                 coordinate(b) + "H3"}});
     }
     m_.leaf("path", {{"class", "dot"}, {"d", markerPath(line.style.marker)}});
     m_.close();
@@ -106,11 +141,19 @@ class Drawing {
         if (mark.name.empty() || !shown(mark)) continue;
         const double px = x_.pixel(mark.x), py = y_.pixel(mark.y);
         const double w = 5.9 * static_cast<double>(mark.name.size()), h = 12;
-        const std::array<std::array<double, 2>, 8> places = {{{9, -h / 2}, {-9 - w, -h / 2}, {6, -h - 5}, {-w - 6, 5}, {6, 5}, {-w - 6, -h - 5}, {-w / 2, -h - 8}, {-w / 2, 8}}};
+        const std::array<std::array<double, 2>, 8> places = {{{9, -h / 2},
+                                                              {-9 - w, -h / 2},
+                                                              {6, -h - 5},
+                                                              {-w - 6, 5},
+                                                              {6, 5},
+                                                              {-w - 6, -h - 5},
+                                                              {-w / 2, -h - 8},
+                                                              {-w / 2, 8}}};
         for (const auto& [dx, dy] : places) {
           const Box box = {px + dx, py + dy, px + dx + w, py + dy + h};
           const bool inside = box.left > f_.left && box.right < f_.right && box.top > f_.top && box.bottom < f_.bottom;
-          if (!inside || std::any_of(taken_.begin(), taken_.end(), [&](const Box& b) { return overlap(b, box); })) continue;
+          if (!inside || std::any_of(taken_.begin(), taken_.end(), [&](const Box& b) { return overlap(b, box); }))
+            continue;
           m_.element("text", mark.name, {{"class", "name"}, {"x", box.left}, {"y", box.bottom - 3}});
           taken_.push_back(box);
           break;
@@ -143,9 +186,36 @@ std::string svg(const LinePlot& plot) {
 
 std::string swatch(Style style) {
   Markup m;
-  m.open("svg", {{"class", "swatch"}, {"xmlns", "http://www.w3.org/2000/svg"}, {"viewBox", "-18 -8 36 16"}, {"width", 36}, {"height", 16}, {"aria-hidden", "true"}});
-  m.leaf("path", {{"class", "curve " + colourClass(style.colour)}, {"d", "M-17 0H17"}, {"stroke-dasharray", style.dash ? dashes(style.dash) : "none"}});
-  m.open("g", {{"class", "mark " + colourClass(style.colour)}}).leaf("path", {{"class", "dot"}, {"d", markerPath(style.marker)}}).close();
+  m.open("svg", {{"class", "swatch"},
+                 {"xmlns", "http://www.w3.org/2000/svg"},
+                 {"viewBox", "-18 -8 36 16"},
+                 {"width", 36},
+                 {"height", 16},
+                 {"aria-hidden", "true"}});
+  m.leaf("path", {{"class", "curve " + colourClass(style.colour)},
+                  {"d", "M-17 0H17"},
+                  {"stroke-dasharray", style.dash ? dashes(style.dash) : "none"}});
+  m.open("g", {{"class", "mark " + colourClass(style.colour)}})
+      .leaf("path", {{"class", "dot"}, {"d", markerPath(style.marker)}})
+      .close();
+  m.close();
+  return m.take();
+}
+
+std::string markerLegend(const std::vector<std::pair<Style, std::string>>& entries) {
+  Markup m;
+  m.open("ul", {{"class", "legend"}});
+  for (const auto& [style, name] : entries) {
+    m.open("li").open("svg", {{"class", "swatch"},
+                              {"xmlns", "http://www.w3.org/2000/svg"},
+                              {"viewBox", "-8 -8 16 16"},
+                              {"width", 16},
+                              {"height", 16},
+                              {"aria-hidden", "true"}});
+    m.open("g", {{"class", "mark " + colourClass(style.colour)}});
+    m.leaf("path", {{"class", "dot"}, {"d", markerPath(style.marker)}}).close();
+    m.close().text(" " + name).close();
+  }
   m.close();
   return m.take();
 }
@@ -153,7 +223,8 @@ std::string swatch(Style style) {
 std::string legend(const std::vector<std::string>& series, const Styles& styles) {
   Markup m;
   m.open("ul", {{"class", "legend"}});
-  for (const std::string& s : series) m.open("li", {{"data-series", s}}).raw(swatch(styles.of(s))).text(" " + s).close();
+  for (const std::string& s : series)
+    m.open("li", {{"data-series", s}}).raw(swatch(styles.of(s))).text(" " + s).close();
   m.close();
   return m.take();
 }

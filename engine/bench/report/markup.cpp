@@ -14,16 +14,27 @@ std::string escape(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     const auto code = static_cast<unsigned char>(c);
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '"') out += "&quot;";
-    else if (c == '\'') out += "&#39;";
-    else if (code < 0x20 && c != '\t' && c != '\n') out += kReplacement;
-    else if (code == 0x7F) out += kReplacement;
-    // U+FFFE and U+FFFF: the only characters of valid UTF-8 (which JSON guarantees) besides control codes that XML refuses.
-    else if (text.substr(i, 3) == "\xEF\xBF\xBE" || text.substr(i, 3) == "\xEF\xBF\xBF") { out += kReplacement; i += 2; }
-    else out += c;
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (c == '\'')
+      out += "&#39;";
+    else if (code < 0x20 && c != '\t' && c != '\n')
+      out += kReplacement;
+    else if (code == 0x7F)
+      out += kReplacement;
+    // U+FFFE and U+FFFF: the only characters of valid UTF-8 (which JSON guarantees) besides control codes that XML
+    // refuses.
+    else if (text.substr(i, 3) == "\xEF\xBF\xBE" || text.substr(i, 3) == "\xEF\xBF\xBF") {
+      out += kReplacement;
+      i += 2;
+    } else
+      out += c;
   }
   return out;
 }
@@ -32,7 +43,8 @@ std::string coordinate(double value) {
   TY_ASSERT(std::isfinite(value), "a coordinate is " + std::to_string(value));
   char buffer[400];
   const double rounded = std::round(value * 100) / 100;
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, rounded == 0 ? 0.0 : rounded, std::chars_format::fixed, 2);
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, rounded == 0 ? 0.0 : rounded, std::chars_format::fixed, 2);
   std::string text(buffer, end.ptr);
   while (text.back() == '0') text.pop_back();
   if (text.back() == '.') text.pop_back();

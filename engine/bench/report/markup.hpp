@@ -19,7 +19,7 @@ struct Attribute {
   Attribute(const char* n, const char* v) : name(n), value(v) {}
   Attribute(const char* n, double v) : name(n), value(coordinate(v)) {}
   const char* name;
-  std::string value;   ///< not escaped yet
+  std::string value;  ///< not escaped yet
 };
 using Attributes = std::initializer_list<Attribute>;
 

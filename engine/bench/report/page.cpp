@@ -1,12 +1,14 @@
-// The page around the chapters: style, colours for light and dark, and a script that only adds: read-out, sorting, dimming.
+// The page around the chapters: style, colours for light and dark, and a script that only adds: read-out, sorting,
+// dimming.
 #include "chapters.hpp"
 #include "markup.hpp"
 
 namespace tyndall::bench::report {
 namespace {
 
-// Colours after Okabe and Ito, "Color Universal Design" (2008), darkened where they are too light for lines on white; the
-// text's own grey for brute force. Each is told from the others by its marker too. No '<' or '&' here: the page is XML.
+// Colours after Okabe and Ito, "Color Universal Design" (2008), darkened where they are too light for lines on white;
+// the text's own grey for brute force. Each is told from the others by its marker too. No '<' or '&' here: the page is
+// XML.
 constexpr const char* kStyle = R"(
 :root { color-scheme: light dark; --paper:#fff; --ink:#1c1f23; --soft:#5b6470; --line:#d5dae0; --faint:#edf0f3; --band:#f6f8fa; --front:#9aa4af;
   --c0:#d55e00; --c1:#3c434b; --c2:#0072b2; --c3:#b5548f; --c4:#7b3294; --c5:#009e73; --c6:#c98a00; --c7:#3a9bd6; --c8:#8a8a2b; --c9:#8c564b;
@@ -111,7 +113,9 @@ constexpr const char* kScript = R"(
 
 std::string page(const std::string& title, const std::string& body) {
   Markup m;
-  m.open("html", {{"xmlns", "http://www.w3.org/1999/xhtml"}, {"lang", "en"}}).open("head").leaf("meta", {{"charset", "utf-8"}});
+  m.open("html", {{"xmlns", "http://www.w3.org/1999/xhtml"}, {"lang", "en"}})
+      .open("head")
+      .leaf("meta", {{"charset", "utf-8"}});
   m.leaf("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}}).element("title", title);
   m.open("style").raw(kStyle).close().close();
   m.open("body").element("h1", title).raw(body).open("script").raw(kScript).close().close().close();

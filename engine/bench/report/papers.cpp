@@ -1,5 +1,5 @@
-// The papers' tables: their figure, ours beside it, and the ratio to brute force of both. The machines differ, so only the
-// ratios can be held against each other.
+// The papers' tables: their figure, ours beside it, and the ratio to brute force of both. The machines differ, so only
+// the ratios can be held against each other.
 #include <algorithm>
 #include <map>
 
@@ -14,8 +14,10 @@ namespace {
 const Style kTheirs = {1, 1, 0}, kOurs = {2, 0, 0};
 
 void number(Markup& m, const Number& value, const std::string& unit = "") {
-  if (value) m.element("td", figure(*value) + unit, {{"class", "number"}, {"data-v", exact(*value)}});
-  else m.element("td", "–", {{"class", "none"}});
+  if (value)
+    m.element("td", figure(*value) + unit, {{"class", "number"}, {"data-v", exact(*value)}});
+  else
+    m.element("td", "–", {{"class", "none"}});
 }
 
 std::string table(const Context& context, const Points& points, const std::string& title) {
@@ -28,7 +30,9 @@ std::string table(const Context& context, const Points& points, const std::strin
   Markup m;
   m.element("h3", title);
   m.open("div", {{"class", "scroll"}}).open("table", {{"class", "sortable"}}).open("thead").open("tr");
-  for (const char* head : {"row", "view", "paper, ms", "here, ms", "quartiles", "nRMSE here", "paper / brute force", "here / brute force", "here's ratio / paper's", "brute force here"}) m.element("th", head, {{"scope", "col"}});
+  for (const char* head : {"row", "view", "paper, ms", "here, ms", "quartiles", "nRMSE here", "paper / brute force",
+                           "here / brute force", "here's ratio / paper's", "brute force here"})
+    m.element("th", head, {{"scope", "col"}});
   m.close().close().open("tbody");
   for (const Point* p : points) {
     const Paper& paper = *p->paper;
@@ -36,35 +40,39 @@ std::string table(const Context& context, const Points& points, const std::strin
     const Point* baseline = paper.baselineKey.empty() || found == byKey.end() ? nullptr : found->second;
     const Number time = timeOf(*p), brute = baseline ? timeOf(*baseline) : Number();
     const Number ours = time && brute && *brute > 0 ? Number(*time / *brute) : Number();
-    const Number quotient = ours && paper.figureRatio && *paper.figureRatio > 0 ? Number(*ours / *paper.figureRatio) : Number();
+    const Number quotient =
+        ours && paper.figureRatio && *paper.figureRatio > 0 ? Number(*ours / *paper.figureRatio) : Number();
     m.open("tr").element("th", paper.row.empty() ? nameOf(*p) : paper.row, {{"scope", "row"}});
     m.element("td", p->level + " " + std::to_string(p->camera) + ", " + sizeText(viewOf(*p)));
     number(m, paper.figureMs);
-    if (p->failed) m.element("td", "failed: " + *p->failed, {{"class", "none"}});
-    else number(m, time);
+    if (p->failed)
+      m.element("td", "failed: " + *p->failed, {{"class", "none"}});
+    else
+      number(m, time);
     const bool quartiles = p->volumetrics && p->volumetrics->low && p->volumetrics->high;
-    m.element("td", quartiles ? figure(*p->volumetrics->low) + " to " + figure(*p->volumetrics->high) : "–", {{"class", quartiles ? "number" : "none"}});
+    m.element("td", quartiles ? figure(*p->volumetrics->low) + " to " + figure(*p->volumetrics->high) : "–",
+              {{"class", quartiles ? "number" : "none"}});
     number(m, errorOf(*p, referenceOf({p})));
     number(m, paper.figureRatio);
     number(m, ours);
     number(m, quotient);
-    m.element("td", baseline ? nameOf(*baseline) : paper.baselineKey.empty() ? "–" : "not in this file", {{"class", baseline ? "" : "none"}});
+    m.element("td",
+              baseline                    ? nameOf(*baseline)
+              : paper.baselineKey.empty() ? "–"
+                                          : "not in this file",
+              {{"class", baseline ? "" : "none"}});
     m.close();
     Row row = {paper.row.empty() ? nameOf(*p) : paper.row, "", {}, {}};
-    if (paper.figureRatio) row.dots.push_back({*paper.figureRatio, kTheirs, "the paper: " + figure(*paper.figureRatio) + " of brute force"});
-    if (ours) row.dots.push_back({*ours, kOurs, "here: " + figure(*ours) + " of brute force\n" + tipOf(*p, referenceOf({p}))});
+    if (paper.figureRatio)
+      row.dots.push_back({*paper.figureRatio, kTheirs, "the paper: " + figure(*paper.figureRatio) + " of brute force"});
+    if (ours)
+      row.dots.push_back({*ours, kOurs, "here: " + figure(*ours) + " of brute force\n" + tipOf(*p, referenceOf({p}))});
     if (!row.dots.empty()) chart.rows.push_back(std::move(row));
   }
   m.close().close().close();
   const std::string plot = svg(chart);
   if (plot.empty()) return m.take();
-  Markup legend;
-  legend.open("ul", {{"class", "legend"}});
-  for (const auto& [style, name] : {std::pair<Style, const char*>{kTheirs, "the paper"}, {kOurs, "here"}})
-    legend.open("li").open("svg", {{"class", "swatch"}, {"xmlns", "http://www.w3.org/2000/svg"}, {"viewBox", "-8 -8 16 16"}, {"width", 16}, {"height", 16}, {"aria-hidden", "true"}})
-        .open("g", {{"class", "mark " + colourClass(style.colour)}}).leaf("path", {{"class", "dot"}, {"d", markerPath(style.marker)}}).close().close().text(std::string(" ") + name).close();
-  legend.close();
-  return m.take() + figureBlock({plot}, legend.take(), "");
+  return m.take() + figureBlock({plot}, markerLegend({{kTheirs, "the paper"}, {kOurs, "here"}}), "");
 }
 
 }  // namespace
@@ -81,8 +89,11 @@ std::string papersChapter(const Context& context) {
   if (tables.empty()) return {};
   Markup m;
   m.element("h2", "The papers' tables", {{"id", "papers"}});
-  m.element("p", "The papers measured on other devices and other scenes, so their milliseconds stand here for orientation only. What can be compared is each time over "
-                 "that of brute force on the same machine. A last ratio above 1 means that the technique gains less here than in its paper.");
+  m.element("p",
+            "The papers measured on other devices and other scenes, so their milliseconds stand here for orientation "
+            "only. What can be compared is each time over "
+            "that of brute force on the same machine. A last ratio above 1 means that the technique gains less here "
+            "than in its paper.");
   for (const auto& [title, points] : tables) m.raw(table(context, points, title));
   return m.take();
 }

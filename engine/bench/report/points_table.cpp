@@ -9,8 +9,10 @@ namespace tyndall::bench::report {
 namespace {
 
 void number(Markup& m, const Number& value) {
-  if (value) m.element("td", figure(*value), {{"class", "number"}, {"data-v", exact(*value)}});
-  else m.element("td", "–", {{"class", "none"}});
+  if (value)
+    m.element("td", figure(*value), {{"class", "number"}, {"data-v", exact(*value)}});
+  else
+    m.element("td", "–", {{"class", "none"}});
 }
 
 void times(Markup& m, const std::optional<Spread>& s) {
@@ -28,12 +30,16 @@ std::string settingsText(const Settings& settings) {
 Number nrmse(const std::optional<Region>& r) { return r ? Number(r->nrmse) : Number(); }
 
 Number floorShare(const Results& results, const Point& p) {
-  if (!results.copyGbS || !(*results.copyGbS > 0) || !p.floorBytes || !p.volumetrics || !(p.volumetrics->median > 0)) return {};
+  if (!results.copyGbS || !(*results.copyGbS > 0) || !p.floorBytes || !p.volumetrics || !(p.volumetrics->median > 0))
+    return {};
   return 100 * *p.floorBytes / (*results.copyGbS * 1e6) / p.volumetrics->median;
 }
 
 void row(Markup& m, const Context& context, const Point& p) {
-  m.open("tr").element("td", p.level).element("td", std::to_string(p.camera)).element("td", sizeText(p.width, p.height), {{"data-v", coordinate(1.0 * p.width * p.height)}});
+  m.open("tr")
+      .element("td", p.level)
+      .element("td", std::to_string(p.camera))
+      .element("td", sizeText(p.width, p.height), {{"data-v", coordinate(1.0 * p.width * p.height)}});
   m.element("td", p.series).element("td", p.label).element("td", p.technique).element("td", list(p.plots));
   times(m, p.volumetrics);
   number(m, p.volumetrics ? p.volumetrics->n : Number());
@@ -59,17 +65,27 @@ void row(Markup& m, const Context& context, const Point& p) {
 
 std::string pointsChapter(const Context& context) {
   const auto& points = context.results.points;
-  const auto failed = static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [](const Point& p) { return p.failed.has_value(); }));
+  const auto failed = static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(), [](const Point& p) { return p.failed.has_value(); }));
   Markup m;
   if (failed > 0) {
     m.element("h2", "Failed points", {{"id", "failed"}});
-    m.element("p", std::to_string(failed) + " of " + std::to_string(points.size()) + " points have no figures. They are in no plot above.");
+    m.element("p", std::to_string(failed) + " of " + std::to_string(points.size()) +
+                       " points have no figures. They are in no plot above.");
     m.open("div", {{"class", "scroll"}}).open("table", {{"class", "sortable"}}).open("thead").open("tr");
-    for (const char* head : {"level", "camera", "size", "point", "settings", "reason"}) m.element("th", head, {{"scope", "col"}});
+    for (const char* head : {"level", "camera", "size", "point", "settings", "reason"})
+      m.element("th", head, {{"scope", "col"}});
     m.close().close().open("tbody");
     for (const Point& p : points)
       if (p.failed)
-        m.open("tr").element("td", p.level).element("td", std::to_string(p.camera)).element("td", sizeText(p.width, p.height)).element("td", nameOf(p)).element("td", settingsText(p.settings)).element("td", *p.failed).close();
+        m.open("tr")
+            .element("td", p.level)
+            .element("td", std::to_string(p.camera))
+            .element("td", sizeText(p.width, p.height))
+            .element("td", nameOf(p))
+            .element("td", settingsText(p.settings))
+            .element("td", *p.failed)
+            .close();
     m.close().close().close();
   }
   m.element("h2", "All points", {{"id", "points"}});
@@ -77,17 +93,28 @@ std::string pointsChapter(const Context& context) {
     m.element("p", points.empty() ? "The file has no points." : "No point has figures.");
     return m.take();
   }
-  m.element("p", "Errors are over the mean of the reference; times in ms; memory in 10⁶ bytes. A click on a column's head sorts by it.");
+  m.element("p",
+            "Errors are over the mean of the reference; times in ms; memory in 10⁶ bytes. A click on a column's head "
+            "sorts by it.");
   m.open("div", {{"class", "scroll tall"}}).open("table", {{"class", "sortable points"}}).open("thead").open("tr");
-  for (const char* head : {"level", "camera", "size", "series", "label", "technique", "plots", "volumetrics", "lower quartile", "upper quartile", "n", "shadow maps", "frame", "nRMSE, truth", "p99", "largest", "bias",
-                           "silhouettes", "interior", "light", "nRMSE, march", "nRMSE in motion", "flicker", "memory", "floor, %", "settings"})
+  for (const char* head : {"level",          "camera",          "size",     "series",
+                           "label",          "technique",       "plots",    "volumetrics",
+                           "lower quartile", "upper quartile",  "n",        "shadow maps",
+                           "frame",          "nRMSE, truth",    "p99",      "largest",
+                           "bias",           "silhouettes",     "interior", "light",
+                           "nRMSE, march",   "nRMSE in motion", "flicker",  "memory",
+                           "floor, %",       "settings"})
     m.element("th", head, {{"scope", "col"}});
   m.close().close().open("tbody");
   for (const Point& p : points)
     if (!p.failed) row(m, context, p);
   m.close().close().close();
-  m.open("p").text("The same figures, and the passes, lie in the results.json this page was made from. As CSV, for example:").close();
-  m.element("pre", "jq -r '.points[] | [.key, .level, .series, .label, .volumetrics_ms.median, .error.truth.all.nrmse] | @csv' results.json");
+  m.open("p")
+      .text("The same figures, and the passes, lie in the results.json this page was made from. As CSV, for example:")
+      .close();
+  m.element("pre",
+            "jq -r '.points[] | [.key, .level, .series, .label, .volumetrics_ms.median, .error.truth.all.nrmse] | "
+            "@csv' results.json");
   return m.take();
 }
 

@@ -15,7 +15,8 @@ using Json = nlohmann::json;
 /// A place in the file. Missing and null are the same: nothing.
 class Field {
  public:
-  Field(const Json* json, std::string path, std::string& problem) : json_(json), path_(std::move(path)), problem_(&problem) {}
+  Field(const Json* json, std::string path, std::string& problem)
+      : json_(json), path_(std::move(path)), problem_(&problem) {}
 
   bool empty() const { return !json_ || json_->is_null(); }
   const std::string& path() const { return path_; }
@@ -33,7 +34,8 @@ class Field {
   std::vector<Field> items() const {
     std::vector<Field> all;
     if (empty() || (!json_->is_array() && !wrong("a list"))) return all;
-    for (std::size_t i = 0; i < json_->size(); ++i) all.push_back({&(*json_)[i], path_ + "[" + std::to_string(i) + "]", *problem_});
+    for (std::size_t i = 0; i < json_->size(); ++i)
+      all.push_back({&(*json_)[i], path_ + "[" + std::to_string(i) + "]", *problem_});
     return all;
   }
 
@@ -72,7 +74,7 @@ class Field {
     if (empty()) return {};
     if (json_->is_string()) return {json_->get<std::string>(), {}};
     if (json_->is_number()) return {exact(json_->get<double>()), json_->get<double>()};
-    return {json_->dump(), {}};   // true, false; lists and objects as they are written
+    return {json_->dump(), {}};  // true, false; lists and objects as they are written
   }
 
   Settings settings() const {
@@ -109,7 +111,8 @@ std::optional<Spread> spread(const Field& f) {
 
 std::optional<Region> region(const Field& f) {
   if (!f.object()) return {};
-  const Region r = {f["nrmse"].amount().value_or(0), f["p99"].amount(), f["maximum"].amount(), f["bias"].number(), f["pixels"].amount()};
+  const Region r = {f["nrmse"].amount().value_or(0), f["p99"].amount(), f["maximum"].amount(), f["bias"].number(),
+                    f["pixels"].amount()};
   if (f["nrmse"].empty()) return {};
   return r;
 }
@@ -130,8 +133,10 @@ Point point(const Field& f) {
   p.camera = f["camera"].integer();
   p.seconds = f["seconds"].number();
   const auto size = f["size"].items();
-  if (size.size() == 2) p.width = size[0].integer(), p.height = size[1].integer();
-  else if (!f["size"].empty()) f["size"].wrong("[width, height]");
+  if (size.size() == 2)
+    p.width = size[0].integer(), p.height = size[1].integer();
+  else if (!f["size"].empty())
+    f["size"].wrong("[width, height]");
   p.technique = f["technique"].text();
   p.series = f["series"].text();
   if (p.series.empty()) p.series = p.technique.empty() ? "unnamed" : p.technique;
@@ -149,8 +154,8 @@ Point point(const Field& f) {
   if (const Field error = f["error"]; error.object()) p.truth = split(error["truth"]), p.march = split(error["march"]);
   if (const Field t = f["temporal"]; t.object()) p.temporal = Temporal{t["nrmse_mean"].amount(), t["flicker"].amount()};
   if (const Field paper = f["paper"]; paper.object())
-    p.paper = Paper{paper["paper"].text(), paper["table"].text(), paper["row"].text(), paper["baseline_key"].text(),
-                    paper["figure_ms"].amount(), paper["figure_ratio"].amount()};
+    p.paper = Paper{paper["paper"].text(),        paper["table"].text(),       paper["row"].text(),
+                    paper["baseline_key"].text(), paper["figure_ms"].amount(), paper["figure_ratio"].amount()};
   if (const Field failed = f["failed"]; !failed.empty()) p.failed = failed.text();
   return p;
 }
@@ -182,16 +187,19 @@ Result<Results> readResults(const std::string& text) {
     json = Json::parse(text);
   } catch (const Json::parse_error& e) {
     const auto before = text.substr(0, std::min(e.byte, text.size()));
-    return failed(subject + "not valid JSON, line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n')) +
+    return failed(subject + "not valid JSON, line " +
+                  std::to_string(1 + std::count(before.begin(), before.end(), '\n')) +
                   "; the text of a results.json is wanted");
-  } catch (const Json::exception&) {   // a number that no double holds
+  } catch (const Json::exception&) {  // a number that no double holds
     return failed(subject + "a number is too large; the text of a results.json is wanted");
   }
 
   std::string problem;
   const Field root(&json, "", problem);
-  if (root.empty()) root.wrong("an object");
-  else root.object();
+  if (root.empty())
+    root.wrong("an object");
+  else
+    root.object();
   if (problem.empty() && root["format"].text() != "tyndall-bench") root["format"].wrong("\"tyndall-bench\"");
   if (problem.empty() && root["version"].number() != Number(1)) root["version"].wrong("1");
   if (problem.empty() && root["points"].empty()) root["points"].wrong("a list");
@@ -211,7 +219,8 @@ Result<Results> readResults(const std::string& text) {
 
   for (const Point& p : r.points) {
     const auto same = [&](const Level& l) { return l.name == p.level && l.camera == p.camera; };
-    if (std::none_of(r.levels.begin(), r.levels.end(), same)) r.levels.push_back({p.level, p.camera, {}, {}, {}, {}, {}});
+    if (std::none_of(r.levels.begin(), r.levels.end(), same))
+      r.levels.push_back({p.level, p.camera, {}, {}, {}, {}, {}});
   }
   return r;
 }

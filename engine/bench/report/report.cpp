@@ -19,7 +19,8 @@ Result<std::string> reportHtml(const std::string& resultsJson) {
     body += chapter;
   };
   for (const report::Level& level : results->levels)
-    add(report::levelChapter(context, level), report::anchorOf(level), level.name + ", camera " + std::to_string(level.camera));
+    add(report::levelChapter(context, level), report::anchorOf(level),
+        level.name + ", camera " + std::to_string(level.camera));
   add(report::scalingChapter(context), "scaling", "Scaling");
   add(report::papersChapter(context), "papers", "The papers' tables");
   add(report::pointsChapter(context), "points", "All points");

@@ -7,7 +7,7 @@
 namespace tyndall::bench::report {
 namespace {
 
-constexpr double kWidth = 860, kRow = 26, kBar = 16, kTop = 8, kLetter = 6.2;   // 12 px letters are 6.2 wide on average
+constexpr double kWidth = 860, kRow = 26, kBar = 16, kTop = 8, kLetter = 6.2;  // 12 px letters are 6.2 wide on average
 constexpr std::size_t kLongestLabel = 44;
 
 /// At most `count` characters of UTF-8, the last one an ellipsis when something was cut.
@@ -50,7 +50,8 @@ void dots(Markup& m, const Row& row, const AxisMap& x, Scale scale, double y) {
   if (greatest > least) m.leaf("line", {{"class", "reach"}, {"x1", least}, {"x2", greatest}, {"y1", y}, {"y2", y}});
   for (const Dot& d : row.dots) {
     if (!showable(scale, d.value)) continue;
-    m.open("g", {{"class", "mark " + colourClass(d.style.colour)}, {"transform", "translate(" + coordinate(x.pixel(d.value)) + " " + coordinate(y) + ")"}});
+    m.open("g", {{"class", "mark " + colourClass(d.style.colour)},
+                 {"transform", "translate(" + coordinate(x.pixel(d.value)) + " " + coordinate(y) + ")"}});
     m.element("title", d.tip).leaf("path", {{"class", "dot"}, {"d", markerPath(d.style.marker)}}).close();
   }
 }
@@ -73,14 +74,23 @@ std::string svg(const RowChart& chart) {
   if (rows.empty()) return {};
   if (chart.rule) values.push_back(chart.rule->x);
 
-  const double left = 16 + kLetter * static_cast<double>(std::min(longest, kLongestLabel)), right = kWidth - 12 - chart.noteWidth;
+  const double left = 16 + kLetter * static_cast<double>(std::min(longest, kLongestLabel)),
+               right = kWidth - 12 - chart.noteWidth;
   const double bottom = kTop + kRow * static_cast<double>(rows.size()), height = bottom + 46;
   const AxisMap x(chart.x, values, left, right);
   Markup m;
-  m.open("svg", {{"class", "plot"}, {"xmlns", "http://www.w3.org/2000/svg"}, {"role", "img"}, {"aria-label", chart.title},
-                 {"viewBox", "0 0 " + coordinate(kWidth) + " " + coordinate(height)}, {"style", "max-width:" + coordinate(kWidth) + "px"}});
+  m.open("svg", {{"class", "plot"},
+                 {"xmlns", "http://www.w3.org/2000/svg"},
+                 {"role", "img"},
+                 {"aria-label", chart.title},
+                 {"viewBox", "0 0 " + coordinate(kWidth) + " " + coordinate(height)},
+                 {"style", "max-width:" + coordinate(kWidth) + "px"}});
   for (const Tick& t : x.ticks()) {
-    m.leaf("line", {{"class", t.label.empty() ? "grid minor" : "grid"}, {"x1", t.pixel}, {"x2", t.pixel}, {"y1", kTop}, {"y2", bottom}});
+    m.leaf("line", {{"class", t.label.empty() ? "grid minor" : "grid"},
+                    {"x1", t.pixel},
+                    {"x2", t.pixel},
+                    {"y1", kTop},
+                    {"y2", bottom}});
     if (!t.label.empty()) m.element("text", t.label, {{"class", "tick x"}, {"x", t.pixel}, {"y", bottom + 16}});
   }
   if (chart.rule) {
@@ -91,7 +101,8 @@ std::string svg(const RowChart& chart) {
     const Row& row = *rows[i];
     const double y = kTop + kRow * (static_cast<double>(i) + 0.5);
     m.open("g").element("title", row.label);
-    m.element("text", shortened(row.label, kLongestLabel), {{"class", "tick y"}, {"x", left - 8}, {"y", y + 4}}).close();
+    m.element("text", shortened(row.label, kLongestLabel), {{"class", "tick y"}, {"x", left - 8}, {"y", y + 4}})
+        .close();
     bars(m, row, x, y);
     dots(m, row, x, chart.x.scale, y);
     if (chart.noteWidth > 0) m.element("text", row.note, {{"class", "note"}, {"x", right + 8}, {"y", y + 4}});
@@ -106,8 +117,15 @@ std::string fillLegend(const std::vector<std::pair<int, std::string>>& entries) 
   Markup m;
   m.open("ul", {{"class", "legend"}});
   for (const auto& [fill, name] : entries) {
-    m.open("li").open("svg", {{"class", "swatch"}, {"xmlns", "http://www.w3.org/2000/svg"}, {"viewBox", "0 0 16 16"}, {"width", 16}, {"height", 16}, {"aria-hidden", "true"}});
-    m.open("g", {{"class", "part f" + std::to_string(fill % kFills)}}).leaf("rect", {{"x", 1}, {"y", 2}, {"width", 14}, {"height", 12}}).close();
+    m.open("li").open("svg", {{"class", "swatch"},
+                              {"xmlns", "http://www.w3.org/2000/svg"},
+                              {"viewBox", "0 0 16 16"},
+                              {"width", 16},
+                              {"height", 16},
+                              {"aria-hidden", "true"}});
+    m.open("g", {{"class", "part f" + std::to_string(fill % kFills)}})
+        .leaf("rect", {{"x", 1}, {"y", 2}, {"width", 14}, {"height", 12}})
+        .close();
     m.close().text(" " + name).close();
   }
   m.close();

@@ -13,14 +13,18 @@ namespace tyndall::bench::report {
 
 struct Segment {
   double value = 0;
-  int fill = 0;   ///< index of the page's --f0, --f1, …: shades for parts of a bar
+  int fill = 0;  ///< index of the page's --f0, --f1, …: shades for parts of a bar
   std::string name, tip;
 };
 
-struct Dot { double value = 0; Style style; std::string tip; };
+struct Dot {
+  double value = 0;
+  Style style;
+  std::string tip;
+};
 
 struct Row {
-  std::string label, note;   ///< to the left and to the right of the row
+  std::string label, note;  ///< to the left and to the right of the row
   std::vector<Segment> segments;
   std::vector<Dot> dots;
 };
@@ -30,7 +34,7 @@ struct RowChart {
   Axis x;
   std::vector<Row> rows;
   std::optional<Rule> rule;
-  double noteWidth = 0;   ///< pixels kept for the notes; 0: none are written
+  double noteWidth = 0;  ///< pixels kept for the notes; 0: none are written
 };
 
 inline constexpr int kFills = 8;

@@ -13,10 +13,14 @@
 namespace tyndall::bench::report {
 namespace {
 
-struct Curve { std::string series; std::vector<std::pair<double, const Point*>> points; };
+struct Curve {
+  std::string series;
+  std::vector<std::pair<double, const Point*>> points;
+};
 
 const Level* levelOf(const Results& results, const Point& p) {
-  const auto found = std::find_if(results.levels.begin(), results.levels.end(), [&](const Level& l) { return l.name == p.level && l.camera == p.camera; });
+  const auto found = std::find_if(results.levels.begin(), results.levels.end(),
+                                  [&](const Level& l) { return l.name == p.level && l.camera == p.camera; });
   return found == results.levels.end() ? nullptr : &*found;
 }
 
@@ -37,7 +41,8 @@ Number exponent(const std::vector<std::pair<double, double>>& points) {
 }
 
 /// Median times against x, and the exponents in words. `shadow`: the engine's shadow maps instead of the plugin.
-std::string timePlot(const Context& context, const std::vector<Curve>& curves, const Axis& x, bool shadow, std::string& exponents) {
+std::string timePlot(const Context& context, const std::vector<Curve>& curves, const Axis& x, bool shadow,
+                     std::string& exponents) {
   LinePlot plot;
   plot.title = (shadow ? "Shadow maps' time against " : "Volumetrics' time against ") + x.label;
   plot.x = x;
@@ -50,32 +55,40 @@ std::string timePlot(const Context& context, const std::vector<Curve>& curves, c
       const auto& time = shadow ? p->shadow : p->volumetrics;
       if (!time) continue;
       data.emplace_back(px, time->median);
-      line.marks.push_back({px, time->median, time->low, time->high, tipOf(*p, referenceOf({p})) + "\n" + x.label + ": " + (x.scale == Scale::kCategory ? "" : whole(px)), ""});
+      line.marks.push_back(
+          {px, time->median, time->low, time->high,
+           tipOf(*p, referenceOf({p})) + "\n" + x.label + ": " + (x.scale == Scale::kCategory ? "" : whole(px)), ""});
     }
-    if (const Number e = exponent(data); e && x.scale != Scale::kCategory) found.push_back(c.series + " " + figure(*e, 2));
+    if (const Number e = exponent(data); e && x.scale != Scale::kCategory)
+      found.push_back(c.series + " " + figure(*e, 2));
     plot.lines.push_back(std::move(line));
   }
-  if (!shadow && !found.empty()) exponents = "Slope in logarithms, least squares (1: proportional): " + list(found) + ".";
+  if (!shadow && !found.empty())
+    exponents = "Slope in logarithms, least squares (1: proportional): " + list(found) + ".";
   return svg(plot);
 }
 
-std::string block(const Context& context, const std::vector<Curve>& curves, const Axis& axis, const std::string& title, bool shadows, const std::string& where) {
+std::string block(const Context& context, const std::vector<Curve>& curves, const Axis& axis, const std::string& title,
+                  bool shadows, const std::string& where) {
   std::vector<std::string> plots, series;
   std::string exponents, none;
   for (const bool shadow : {false, true}) {
     if (shadow && !shadows) continue;
-    if (std::string drawn = timePlot(context, curves, axis, shadow, shadow ? none : exponents); !drawn.empty()) plots.push_back(std::move(drawn));
+    if (std::string drawn = timePlot(context, curves, axis, shadow, shadow ? none : exponents); !drawn.empty())
+      plots.push_back(std::move(drawn));
   }
   if (plots.empty()) return {};
   for (const Curve& c : curves) series.push_back(c.series);
   Markup m;
   m.element("h3", title);
-  return m.take() + figureBlock(plots, legend(series, context.styles), where + (exponents.empty() ? "" : " " + exponents));
+  return m.take() +
+         figureBlock(plots, legend(series, context.styles), where + (exponents.empty() ? "" : " " + exponents));
 }
 
 using Coordinate = std::function<Number(const Point&)>;
 
-std::vector<Curve> curvesOf(const Context& context, const Points& points, const Coordinate& x, std::vector<double>& values) {
+std::vector<Curve> curvesOf(const Context& context, const Points& points, const Coordinate& x,
+                            std::vector<double>& values) {
   std::vector<Curve> curves;
   for (const auto& [series, own] : bySeries(points, context.styles)) {
     Curve c = {series, {}};
@@ -104,19 +117,24 @@ std::string levelsOf(const Points& points) {
 }
 
 /// Levels differ along the axis; size and time do not.
-std::string acrossLevels(const Context& context, const std::string& plot, const std::string& label, const std::string& title, Number Level::*property) {
+std::string acrossLevels(const Context& context, const std::string& plot, const std::string& label,
+                         const std::string& title, Number Level::*property) {
   std::string body;
   std::map<std::pair<int, int>, Points> bySize;
   for (const Point* p : pointsOf(context.results, plot)) bySize[{p->width, p->height}].push_back(p);
   for (const auto& [size, points] : bySize) {
     std::vector<double> values;
-    const auto curves = curvesOf(context, points, [&](const Point& p) {
-      const Level* level = levelOf(context.results, p);
-      if (p.knob && p.knob->value.number && shortId(p.knob->id) == plot) return p.knob->value.number;
-      return level ? level->*property : Number();
-    }, values);
+    const auto curves = curvesOf(
+        context, points,
+        [&](const Point& p) {
+          const Level* level = levelOf(context.results, p);
+          if (p.knob && p.knob->value.number && shortId(p.knob->id) == plot) return p.knob->value.number;
+          return level ? level->*property : Number();
+        },
+        values);
     if (values.size() < 2) continue;
-    body += block(context, curves, axisFor(label, values), title + ", " + sizeText(size.first, size.second), true, "Levels: " + levelsOf(points) + ".");
+    body += block(context, curves, axisFor(label, values), title + ", " + sizeText(size.first, size.second), true,
+                  "Levels: " + levelsOf(points) + ".");
   }
   return body;
 }
@@ -128,12 +146,18 @@ std::string scalingChapter(const Context& context) {
   for (const Level& level : context.results.levels) {
     const Points points = inLevel(pointsOf(context.results, "resolution"), level);
     std::vector<double> values;
-    const auto curves = curvesOf(context, points, [](const Point& p) { return p.width > 0 && p.height > 0 ? Number(1.0 * p.width * p.height) : Number(); }, values);
+    const auto curves = curvesOf(
+        context, points,
+        [](const Point& p) { return p.width > 0 && p.height > 0 ? Number(1.0 * p.width * p.height) : Number(); },
+        values);
     if (values.size() < 2) continue;
     std::vector<std::string> sizes;
     for (const Point* p : points)
-      if (const std::string s = sizeText(p->width, p->height); std::find(sizes.begin(), sizes.end(), s) == sizes.end()) sizes.push_back(s);
-    body += block(context, curves, axisFor("pixels", values), "Resolution: " + level.name + ", camera " + std::to_string(level.camera), false, "Sizes: " + list(sizes) + ".");
+      if (const std::string s = sizeText(p->width, p->height); std::find(sizes.begin(), sizes.end(), s) == sizes.end())
+        sizes.push_back(s);
+    body += block(context, curves, axisFor("pixels", values),
+                  "Resolution: " + level.name + ", camera " + std::to_string(level.camera), false,
+                  "Sizes: " + list(sizes) + ".");
   }
   for (const Level& level : context.results.levels) {
     std::map<std::string, Points> byKnob;
@@ -144,8 +168,12 @@ std::string scalingChapter(const Context& context) {
         const KnobAxis axis(id, points);
         if (axis.values() < 2) continue;
         std::vector<double> values;
-        const auto curves = curvesOf(context, points, [&](const Point& p) { return axis.position(p); }, values);
-        body += block(context, curves, axis.axis(), "Size of the map: " + level.name + ", camera " + std::to_string(level.camera) + ", " + sizeText(view), true, id + ".");
+        const auto curves = curvesOf(
+            context, points, [&](const Point& p) { return axis.position(p); }, values);
+        body +=
+            block(context, curves, axis.axis(),
+                  "Size of the map: " + level.name + ", camera " + std::to_string(level.camera) + ", " + sizeText(view),
+                  true, id + ".");
       }
   }
   body += acrossLevels(context, "lights", "lights", "Lights", &Level::lights);
@@ -153,7 +181,8 @@ std::string scalingChapter(const Context& context) {
   if (body.empty()) return {};
   Markup m;
   m.element("h2", "Scaling", {{"id", "scaling"}});
-  m.element("p", "Time against what scene and user give, both logarithmic where the range asks for it; bars: quartiles.");
+  m.element("p",
+            "Time against what scene and user give, both logarithmic where the range asks for it; bars: quartiles.");
   return m.take() + body;
 }
 

@@ -9,7 +9,8 @@ namespace {
 
 std::string spreadText(const Spread& s) {
   std::string text = figure(s.median) + " ms";
-  if (s.low && s.high) text += " (quartiles " + figure(*s.low) + " to " + figure(*s.high) + (s.n ? ", n = " + whole(*s.n) : "") + ")";
+  if (s.low && s.high)
+    text += " (quartiles " + figure(*s.low) + " to " + figure(*s.high) + (s.n ? ", n = " + whole(*s.n) : "") + ")";
   return text;
 }
 
@@ -23,7 +24,9 @@ bool commonKnob(const Points& points) {
 
 View viewOf(const Point& p) { return {p.level, p.camera, p.seconds, p.width, p.height}; }
 
-std::string sizeText(int width, int height) { return width > 0 && height > 0 ? std::to_string(width) + "×" + std::to_string(height) : "size not given"; }
+std::string sizeText(int width, int height) {
+  return width > 0 && height > 0 ? std::to_string(width) + "×" + std::to_string(height) : "size not given";
+}
 
 std::string sizeText(const View& v) {
   return sizeText(v.width, v.height) + (v.seconds && *v.seconds != 0 ? ", at " + figure(*v.seconds) + " s" : "");
@@ -122,7 +125,8 @@ double noise(const Points& points) {
   for (const Point* p : points) {
     if (!p->volumetrics || !(p->volumetrics->median > 0)) continue;
     const Spread& s = *p->volumetrics;
-    worst = std::max({worst, (s.high.value_or(s.median) - s.median) / s.median, (s.median - s.low.value_or(s.median)) / s.median});
+    worst = std::max(
+        {worst, (s.high.value_or(s.median) - s.median) / s.median, (s.median - s.low.value_or(s.median)) / s.median});
   }
   return worst;
 }

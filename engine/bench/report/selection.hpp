@@ -29,16 +29,16 @@ struct View {
 };
 
 View viewOf(const Point& p);
-std::string sizeText(int width, int height);        ///< "1280×720", "?" when not given
-std::string sizeText(const View& view);             ///< with the time of the animations
-std::string nameOf(const Point& p);                 ///< series and label
+std::string sizeText(int width, int height);  ///< "1280×720", "?" when not given
+std::string sizeText(const View& view);       ///< with the time of the animations
+std::string nameOf(const Point& p);           ///< series and label
 
 /// Points measured for a plot family, not failed, in the file's order.
 Points pointsOf(const Results& results, const std::string& plot);
 /// The views of these points, in order of appearance, each with its points.
 std::vector<std::pair<View, Points>> byView(const Points& points);
-/// The series of these points, in the page's order, each with its points: by the knob's value where all have one number of
-/// the same knob, else by time.
+/// The series of these points, in the page's order, each with its points: by the knob's value where all have one number
+/// of the same knob, else by time.
 std::vector<std::pair<std::string, Points>> bySeries(const Points& points, const Styles& styles);
 Points inLevel(const Points& points, const Level& level);
 
@@ -49,7 +49,7 @@ const char* referenceName(Reference reference);
 const Split& split(const Point& p, Reference reference);
 /// Error over all pixels, if the point has one.
 Number errorOf(const Point& p, Reference reference);
-Number timeOf(const Point& p);   ///< the plugin's median, ms
+Number timeOf(const Point& p);  ///< the plugin's median, ms
 
 /// Cost and error of those points that have both; `which` (if given) receives the points.
 std::vector<CostError> costErrors(const Points& points, Reference reference, Points* which = nullptr);

@@ -32,15 +32,18 @@ std::string frontSentence(const Points& front, Reference reference) {
   return text + ".";
 }
 
-struct Side { std::string name; std::vector<CostError> curve; };
+struct Side {
+  std::string name;
+  std::vector<CostError> curve;
+};
 
 std::string ends(const Side& a, const Side& b) {
   const double lowA = a.curve.back().error, lowB = b.curve.back().error;
   if (figure(lowA) == figure(lowB)) return "";
   const Side& finer = lowA < lowB ? a : b;
   const Side& other = lowA < lowB ? b : a;
-  return "Below nRMSE " + figure(other.curve.back().error) + " " + other.name + " is not reached; " + finer.name + " goes down to " +
-         figure(finer.curve.back().error) + ", at " + figure(finer.curve.back().cost) + " ms.";
+  return "Below nRMSE " + figure(other.curve.back().error) + " " + other.name + " is not reached; " + finer.name +
+         " goes down to " + figure(finer.curve.back().error) + ", at " + figure(finer.curve.back().cost) + " ms.";
 }
 
 /// Where ours is cheaper at equal error, where the other is, and what only one of them reaches.
@@ -63,13 +66,15 @@ std::string duel(const Side& ours, const Side& other, double equal) {
   text += "." + (e.empty() ? "" : " " + e);
   const CostError &coarseOurs = ours.curve.front(), &coarseOther = other.curve.front();
   if (coarseOther.error > coarseOurs.error && coarseOther.cost < coarseOurs.cost)
-    text += " With more error than any point of " + ours.name + " (over " + figure(coarseOurs.error) + "), " + other.name + " takes as little as " + figure(coarseOther.cost) + " ms.";
+    text += " With more error than any point of " + ours.name + " (over " + figure(coarseOurs.error) + "), " +
+            other.name + " takes as little as " + figure(coarseOther.cost) + " ms.";
   return text;
 }
 
 }  // namespace
 
-std::vector<std::string> sentences(const Context& context, const Level& level, const Points& points, Reference reference) {
+std::vector<std::string> sentences(const Context& context, const Level& level, const Points& points,
+                                   Reference reference) {
   Points measured;
   const auto all = costErrors(points, reference, &measured);
   const auto indices = paretoFront(all);
@@ -87,7 +92,8 @@ std::vector<std::string> sentences(const Context& context, const Level& level, c
   };
   Points ourPoints, marchPoints;
   const Side ours = {"exact", curveOf([](const Point& p) { return isOurs(p.technique); }, &ourPoints)};
-  const Side march = {"the plain march", curveOf([](const Point& p) { return isBruteForce(p.technique); }, &marchPoints)};
+  const Side march = {"the plain march",
+                      curveOf([](const Point& p) { return isBruteForce(p.technique); }, &marchPoints)};
   const auto with = [&](Points other) {
     other.insert(other.end(), ourPoints.begin(), ourPoints.end());
     return 1 + noise(other);
@@ -100,9 +106,11 @@ std::vector<std::string> sentences(const Context& context, const Level& level, c
       if (!rival.curve.empty()) lines.push_back(duel(ours, rival, with(own)));
     }
   if (reference == Reference::kTruth && level.truthSelfNrmse) {
-    const auto below = std::count_if(all.begin(), all.end(), [&](const CostError& c) { return c.error < 2 * *level.truthSelfNrmse; });
-    lines.push_back("The truth differs from itself with half the samples by nRMSE " + figure(*level.truthSelfNrmse) + ": of errors below about twice that (" +
-                    std::to_string(below) + " " + plural(static_cast<std::size_t>(below), "point") + ") a part is the truth's.");
+    const auto below =
+        std::count_if(all.begin(), all.end(), [&](const CostError& c) { return c.error < 2 * *level.truthSelfNrmse; });
+    lines.push_back("The truth differs from itself with half the samples by nRMSE " + figure(*level.truthSelfNrmse) +
+                    ": of errors below about twice that (" + std::to_string(below) + " " +
+                    plural(static_cast<std::size_t>(below), "point") + ") a part is the truth's.");
   }
   return lines;
 }

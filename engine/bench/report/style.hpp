@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,12 +11,12 @@
 namespace tyndall::bench::report {
 
 struct Style {
-  int colour = 0;   ///< index of the page's --c0, --c1, ...
-  int marker = 0;   ///< 0 … kMarkers - 1
-  int dash = 0;     ///< 0: solid
+  int colour = 0;  ///< index of the page's --c0, --c1, ...
+  int marker = 0;  ///< 0 … kMarkers - 1
+  int dash = 0;    ///< 0: solid
 };
 
-inline constexpr int kColours = 10;   ///< of the page; the first nine belong to the techniques that are known
+inline constexpr int kColours = 10;  ///< of the page; the first nine belong to the techniques that are known
 inline constexpr int kMarkers = 10;
 
 /// Series in order of first appearance, with a style each. (marker, dash) pairs repeat only beyond 40 series.
@@ -24,6 +25,8 @@ class Styles {
   explicit Styles(const Results& results);
   Style of(const std::string& series) const;
   const std::vector<std::string>& series() const { return order_; }
+  /// Those of all series that are in `some`, in the page's order.
+  std::vector<std::string> inOrder(const std::set<std::string>& some) const;
 
  private:
   std::vector<std::string> order_;

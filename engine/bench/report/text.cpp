@@ -23,12 +23,15 @@ std::string figure(double value, int digits) {
   const std::string scientific = toChars(std::abs(value), std::chars_format::scientific, digits - 1);
   const std::size_t e = scientific.find('e');
   const int exponent = std::atoi(scientific.c_str() + e + 1);
-  if (exponent < -5 || exponent > 6) return sign + scientific.substr(0, e) + "e" + (exponent < 0 ? "−" : "") + std::to_string(std::abs(exponent));
+  if (exponent < -5 || exponent > 6)
+    return sign + scientific.substr(0, e) + "e" + (exponent < 0 ? "−" : "") + std::to_string(std::abs(exponent));
   if (exponent >= digits) return sign + whole(std::abs(value));
   return sign + toChars(std::abs(value), std::chars_format::fixed, std::max(0, digits - 1 - exponent));
 }
 
-std::string figureOrDash(const std::optional<double>& value, int digits) { return value ? figure(*value, digits) : "–"; }
+std::string figureOrDash(const std::optional<double>& value, int digits) {
+  return value ? figure(*value, digits) : "–";
+}
 
 std::string whole(double value) {
   std::string text = toChars(std::round(std::abs(value)), std::chars_format::fixed, 0);

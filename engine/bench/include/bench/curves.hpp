@@ -14,8 +14,8 @@ struct CostError {
   double error = 0;
 };
 
-/// Indices of the points that no other point beats (no worse in both, better in one), by rising cost and so falling error.
-/// Of equal points the first counts. Points that are not finite are never on the front.
+/// Indices of the points that no other point beats (no worse in both, better in one), by rising cost and so falling
+/// error. Of equal points the first counts. Points that are not finite are never on the front.
 std::vector<std::size_t> paretoFront(std::span<const CostError> points);
 
 /// The front as a curve for logarithmic interpolation: points with a cost or error of 0 or less are left out first.
@@ -30,12 +30,13 @@ std::optional<double> errorAtCost(std::span<const CostError> points, double cost
 /// A range of errors in which the same one of two curves is cheaper.
 struct Stretch {
   enum class Cheaper { kFirst, kEqual, kSecond } cheaper = Cheaper::kEqual;
-  double from = 0, to = 0;                    ///< errors, from < to; equal where the curves share one error only
-  double leastRatio = 1, greatestRatio = 1;   ///< second's cost / first's cost within the range
+  double from = 0, to = 0;                   ///< errors, from < to; equal where the curves share one error only
+  double leastRatio = 1, greatestRatio = 1;  ///< second's cost / first's cost within the range
 };
 
 /// Compares the fronts of both over the errors that both have, from small to large errors. Costs whose ratio is at most
 /// `equal` (1 or more: the noise of the figures) count as equal. Empty where they share no error.
-std::vector<Stretch> compareAtEqualError(std::span<const CostError> first, std::span<const CostError> second, double equal = 1);
+std::vector<Stretch> compareAtEqualError(std::span<const CostError> first, std::span<const CostError> second,
+                                         double equal = 1);
 
 }  // namespace tyndall::bench
