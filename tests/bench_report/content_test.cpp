@@ -24,7 +24,9 @@ std::unique_ptr<Element> pageOf(const json& results) {
   return test::page(html ? *html : "<html/>");
 }
 
-json resultsWith(std::vector<json> points) { return {{"format", "tyndall-bench"}, {"version", 1}, {"sweep", "s"}, {"points", std::move(points)}}; }
+json resultsWith(std::vector<json> points) {
+  return {{"format", "tyndall-bench"}, {"version", 1}, {"sweep", "s"}, {"points", std::move(points)}};
+}
 
 const Element* tableWith(const Element& page, const std::string& caption) {
   for (const Element* t : page.all("table"))
@@ -52,8 +54,10 @@ std::string findings(const Element& page) {
 
 TEST(Content, TablesAtEqualErrorFollowThePowerLaws) {
   // March: error = 10/ms. Exact: error = 1/ms, so ten times as fast at any error that both have. Rival: too coarse.
-  json results = resultsWith({test::point("march", "ray_march", "a", 20, 0.5), test::point("march", "ray_march", "b", 2000, 0.005), test::point("exact", "exact", "a", 5, 0.2),
-                              test::point("exact", "exact", "b", 100, 0.01), test::point("rough", "fourier", "a", 1, 0.9), test::point("rough", "fourier", "b", 2, 0.45)});
+  json results =
+      resultsWith({test::point("march", "ray_march", "a", 20, 0.5), test::point("march", "ray_march", "b", 2000, 0.005),
+                   test::point("exact", "exact", "a", 5, 0.2), test::point("exact", "exact", "b", 100, 0.01),
+                   test::point("rough", "fourier", "a", 1, 0.9), test::point("rough", "fourier", "b", 2, 0.45)});
   const auto page = pageOf(results);
   const Element* table = tableWith(*page, "Time at equal error");
   ASSERT_TRUE(table);
@@ -81,28 +85,39 @@ TEST(Content, SentencesSayWhoIsCheaperWhere) {
   const std::string text = findings(*pageOf(results));
   EXPECT_THAT(text, HasSubstr("from nRMSE 0.00500 to 0.0200 the plain march is 1.00 to 4.00 times as fast"));
   EXPECT_THAT(text, HasSubstr("from nRMSE 0.0200 to 0.400 exact is 1.00 to 20.0 times as fast"));
-  EXPECT_THAT(text, HasSubstr("Below nRMSE 0.00500 exact is not reached; the plain march goes down to 0.00400, at 250 ms."));
+  EXPECT_THAT(text,
+              HasSubstr("Below nRMSE 0.00500 exact is not reached; the plain march goes down to 0.00400, at 250 ms."));
   EXPECT_THAT(text, Not(HasSubstr("With more error than any point of exact")));
 }
 
 TEST(Content, SentencesNameTheFrontInOrder) {
-  json results = resultsWith({test::point("march", "ray_march", "m1", 10, 0.5), test::point("exact", "exact", "K = 1", 20, 0.2), test::point("exact", "exact", "K = 2", 30, 0.1),
-                              test::point("march", "ray_march", "m2", 25, 0.3), test::point("fourier", "fourier", "f", 90, 0.05)});
+  json results =
+      resultsWith({test::point("march", "ray_march", "m1", 10, 0.5), test::point("exact", "exact", "K = 1", 20, 0.2),
+                   test::point("exact", "exact", "K = 2", 30, 0.1), test::point("march", "ray_march", "m2", 25, 0.3),
+                   test::point("fourier", "fourier", "f", 90, 0.05)});
   const std::string text = findings(*pageOf(results));
-  EXPECT_THAT(text, HasSubstr("from the least error to the least time: fourier at nRMSE 0.0500, 90.0 ms (f); exact at nRMSE 0.100 to 0.200, 30.0 to 20.0 ms (K = 2 and K = 1); march at nRMSE 0.500, 10.0 ms (m1)."));
+  EXPECT_THAT(text,
+              HasSubstr("from the least error to the least time: fourier at nRMSE 0.0500, 90.0 ms (f); exact at nRMSE "
+                        "0.100 to 0.200, 30.0 to 20.0 ms (K = 2 and K = 1); march at nRMSE 0.500, 10.0 ms (m1)."));
   EXPECT_THAT(text, HasSubstr("exact against fourier at equal error: not reached"));
-  EXPECT_THAT(text, HasSubstr("With more error than any point of exact (over 0.200), the plain march takes as little as 10.0 ms."));
+  EXPECT_THAT(
+      text,
+      HasSubstr("With more error than any point of exact (over 0.200), the plain march takes as little as 10.0 ms."));
 }
 
 TEST(Content, DifferencesWithinTheQuartilesAreNoDifference) {
-  json results = resultsWith({test::point("march", "ray_march", "a", 100, 0.1), test::point("march", "ray_march", "b", 1000, 0.01), test::point("exact", "exact", "a", 102, 0.1), test::point("exact", "exact", "b", 1020, 0.01)});
-  EXPECT_THAT(findings(*pageOf(results)), HasSubstr("from nRMSE 0.0100 to 0.100 they differ by no more than the quartiles, 3.00 %"));
+  json results =
+      resultsWith({test::point("march", "ray_march", "a", 100, 0.1), test::point("march", "ray_march", "b", 1000, 0.01),
+                   test::point("exact", "exact", "a", 102, 0.1), test::point("exact", "exact", "b", 1020, 0.01)});
+  EXPECT_THAT(findings(*pageOf(results)),
+              HasSubstr("from nRMSE 0.0100 to 0.100 they differ by no more than the quartiles, 3.00 %"));
 }
 
 TEST(Content, TheTruthsOwnErrorIsSaidAndDrawn) {
   const auto page = pageOf(test::results());
   EXPECT_THAT(findings(*page), HasSubstr("The truth differs from itself with half the samples by nRMSE 0.00400"));
-  EXPECT_EQ(page->all("line", "rule").size(), 2u) << "hall's truth, and the papers' ratio of 1; vault's was not measured";
+  EXPECT_EQ(page->all("line", "rule").size(), 2u)
+      << "hall's truth, and the papers' ratio of 1; vault's was not measured";
 }
 
 TEST(Content, ShareOfTheBandwidthFloor) {
@@ -116,7 +131,7 @@ TEST(Content, ShareOfTheBandwidthFloor) {
       ++rows;
     }
   }
-  EXPECT_EQ(rows, 6);   // three series in two levels
+  EXPECT_EQ(rows, 6);  // three series in two levels
 }
 
 TEST(Content, SharesOfTheSquaredError) {
@@ -152,7 +167,7 @@ TEST(Content, EveryPlotFamilyHasItsPlots) {
   EXPECT_EQ(titles["nRMSE against the ray-traced truth against volumetrics.knob"], 2);
   EXPECT_EQ(titles["volumetrics, ms against volumetrics.knob"], 2);
   EXPECT_EQ(titles["Volumetrics' time against pixels"], 1);
-  EXPECT_EQ(titles["Volumetrics' time against volumetrics.knob"], 1);   // the map's
+  EXPECT_EQ(titles["Volumetrics' time against volumetrics.knob"], 1);  // the map's
   EXPECT_EQ(titles["Volumetrics' time against lights"], 1);
   EXPECT_EQ(titles["Volumetrics' time against triangles"], 1);
   EXPECT_EQ(titles["flicker against time"], 1);
@@ -164,7 +179,9 @@ TEST(Content, EveryPlotFamilyHasItsPlots) {
 
 TEST(Content, PointsThatFailedAreListedAndDrawnNowhere) {
   const auto page = pageOf(test::results());
-  EXPECT_THAT(page->text, AllOf(HasSubstr("1 of " + std::to_string(test::results()["points"].size()) + " points have no figures"), HasSubstr("min_max sees suns only")));
+  EXPECT_THAT(page->text,
+              AllOf(HasSubstr("1 of " + std::to_string(test::results()["points"].size()) + " points have no figures"),
+                    HasSubstr("min_max sees suns only")));
   for (const Element* mark : page->all("g", "mark")) EXPECT_NE(mark->attribute("data-series"), "min_max");
 }
 
@@ -177,7 +194,9 @@ TEST(Content, EveryPointIsInTheTable) {
   const auto columns = table->all("thead")[0]->all("th").size();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i]->children.size(), columns);
-    EXPECT_EQ(std::strtod(rows[i]->children[7]->attribute("data-v").c_str(), nullptr), results["points"][i]["volumetrics_ms"]["median"].get<double>()) << "exact for sorting and CSV";
+    EXPECT_EQ(std::strtod(rows[i]->children[7]->attribute("data-v").c_str(), nullptr),
+              results["points"][i]["volumetrics_ms"]["median"].get<double>())
+        << "exact for sorting and CSV";
   }
 }
 
@@ -200,7 +219,9 @@ TEST(Content, ViewsAreNotMixed) {
 
 TEST(Content, SeriesLookDifferent) {
   std::vector<json> points;
-  for (int i = 0; i < 30; ++i) points.push_back(test::point("series " + std::to_string(i), "technique " + std::to_string(i / 3), "a", 10 + i, 1.0 / (1 + i)));
+  for (int i = 0; i < 30; ++i)
+    points.push_back(
+        test::point("series " + std::to_string(i), "technique " + std::to_string(i / 3), "a", 10 + i, 1.0 / (1 + i)));
   const auto page = pageOf(resultsWith(points));
   std::set<std::string> looks;
   for (const Element* li : page->all("ul", "legend")[0]->all("li")) {

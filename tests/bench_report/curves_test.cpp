@@ -144,8 +144,12 @@ TEST(Comparison, CoversTheCommonErrorsWithoutGapsOnRandomCurves) {
         const double e = s.from * std::pow(s.to / s.from, t), ratio = *costAtError(b, e) / *costAtError(a, e);
         ASSERT_GE(ratio, s.leastRatio * (1 - 1e-9));
         ASSERT_LE(ratio, s.greatestRatio * (1 + 1e-9));
-        if (s.cheaper == Stretch::Cheaper::kFirst) ASSERT_GT(ratio, 1.1 * (1 - 1e-9));
-        if (s.cheaper == Stretch::Cheaper::kSecond) ASSERT_LT(ratio, (1 + 1e-9) / 1.1);
+        if (s.cheaper == Stretch::Cheaper::kFirst) {
+          ASSERT_GT(ratio, 1.1 * (1 - 1e-9));
+        }
+        if (s.cheaper == Stretch::Cheaper::kSecond) {
+          ASSERT_LT(ratio, (1 + 1e-9) / 1.1);
+        }
       }
     }
   }

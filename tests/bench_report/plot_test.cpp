@@ -15,7 +15,9 @@ namespace {
 using namespace report;
 using test::Element;
 
-struct PlacedTick { double value, pixel; };
+struct PlacedTick {
+  double value, pixel;
+};
 
 /// What a reader of the axis sees: labels and where they stand.
 std::vector<PlacedTick> ticks(const Element& svg, const std::string& axis) {
@@ -25,10 +27,11 @@ std::vector<PlacedTick> ticks(const Element& svg, const std::string& axis) {
     std::string text;
     for (const char c : t->text)
       if (c != ',') text += c;
-    if (const std::size_t minus = text.find("−"); minus != std::string::npos) text.replace(minus, std::string("−").size(), "-");
+    if (const std::size_t minus = text.find("−"); minus != std::string::npos)
+      text.replace(minus, std::string("−").size(), "-");
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    if (*end != 0) continue;   // a row's name
+    if (*end != 0) continue;  // a row's name
     all.push_back({value, std::strtod(t->attribute(axis).c_str(), nullptr) - (axis == "y" ? 4 : 0)});
   }
   return all;
@@ -61,7 +64,8 @@ TEST(LinePlot, MarksLieWhereTheTicksSay) {
   for (int round = 0; round < 400; ++round) {
     // Ranges from a hair to twelve decades, large and small.
     const bool log = round % 2;
-    const double centre = std::uniform_real_distribution<>(-6, 6)(random), span = std::uniform_real_distribution<>(0.001, log ? 12 : 2)(random);
+    const double centre = std::uniform_real_distribution<>(-6, 6)(random),
+                 span = std::uniform_real_distribution<>(0.001, log ? 12 : 2)(random);
     std::uniform_real_distribution<double> exponent(centre, centre + span);
     std::vector<Mark> marks(1 + static_cast<std::size_t>(round % 7));
     for (Mark& m : marks) {
@@ -84,10 +88,13 @@ TEST(LinePlot, MarksLieWhereTheTicksSay) {
       }
     const auto drawn = root->all("g", "mark");
     ASSERT_EQ(drawn.size(), marks.size());
-    const auto at = [&](const std::vector<PlacedTick>& t, double pixel) { return log ? std::log(valueAt(t, pixel, true)) : valueAt(t, pixel, false); };
+    const auto at = [&](const std::vector<PlacedTick>& t, double pixel) {
+      return log ? std::log(valueAt(t, pixel, true)) : valueAt(t, pixel, false);
+    };
     const auto f = [&](double v) { return log ? std::log(v) : v; };
     // Coordinates are written to 1/100 pixel: what three hundredths are worth.
-    const double xWorth = std::abs(at(xTicks, 0.03) - at(xTicks, 0)) + 1e-9, yWorth = std::abs(at(yTicks, 0.03) - at(yTicks, 0)) + 1e-9;
+    const double xWorth = std::abs(at(xTicks, 0.03) - at(xTicks, 0)) + 1e-9,
+                 yWorth = std::abs(at(yTicks, 0.03) - at(yTicks, 0)) + 1e-9;
     for (std::size_t i = 0; i < marks.size(); ++i) {
       const auto [px, py] = translation(*drawn[i]);
       EXPECT_NEAR(at(xTicks, px), f(marks[i].x), xWorth * 40) << text;
@@ -104,10 +111,14 @@ TEST(LinePlot, MarksLieWhereTheTicksSay) {
 }
 
 TEST(LinePlot, NothingLiesOutsideItsFrame) {
-  const auto root = test::page(svg(plotOf(Scale::kLog, Scale::kLog, {{0.001, 3, 2.5, 3.9, "a", "named"}, {0.7, 800, 700, 1300, "b", "also"}})));
+  const auto root = test::page(
+      svg(plotOf(Scale::kLog, Scale::kLog, {{0.001, 3, 2.5, 3.9, "a", "named"}, {0.7, 800, 700, 1300, "b", "also"}})));
   const Element* frame = root->all("rect", "frame")[0];
-  const auto number = [&](const Element* e, const char* key) { return std::strtod(e->attribute(key).c_str(), nullptr); };
-  const double left = number(frame, "x"), top = number(frame, "y"), right = left + number(frame, "width"), bottom = top + number(frame, "height");
+  const auto number = [&](const Element* e, const char* key) {
+    return std::strtod(e->attribute(key).c_str(), nullptr);
+  };
+  const double left = number(frame, "x"), top = number(frame, "y"), right = left + number(frame, "width"),
+               bottom = top + number(frame, "height");
   for (const Element* mark : root->all("g", "mark")) {
     const auto [x, y] = translation(*mark);
     EXPECT_GT(x, left);
@@ -121,19 +132,26 @@ TEST(LinePlot, NothingLiesOutsideItsFrame) {
 }
 
 TEST(LinePlot, WhatALogarithmCannotShowIsLeftOut) {
-  EXPECT_EQ(svg(plotOf(Scale::kLog, Scale::kLog, {{0, 1, {}, {}, "", ""}, {1, 0, {}, {}, "", ""}, {1, NAN, {}, {}, "", ""}})), "");
-  const auto root = test::page(svg(plotOf(Scale::kLog, Scale::kLog, {{1, 1, {}, {}, "", ""}, {0, 2, {}, {}, "", ""}, {2, 2, 0, 3, "", ""}})));
+  EXPECT_EQ(
+      svg(plotOf(Scale::kLog, Scale::kLog, {{0, 1, {}, {}, "", ""}, {1, 0, {}, {}, "", ""}, {1, NAN, {}, {}, "", ""}})),
+      "");
+  const auto root = test::page(
+      svg(plotOf(Scale::kLog, Scale::kLog, {{1, 1, {}, {}, "", ""}, {0, 2, {}, {}, "", ""}, {2, 2, 0, 3, "", ""}})));
   EXPECT_EQ(root->all("g", "mark").size(), 2u);
   EXPECT_EQ(root->all("path", "bar").size(), 0u) << "a quartile of 0 has no place";
 }
 
 TEST(LinePlot, TheFrontIsAStaircaseThroughItsPoints) {
-  LinePlot plot = plotOf(Scale::kLinear, Scale::kLinear, {{3, 1, {}, {}, "", ""}, {2, 2, {}, {}, "", ""}, {1, 5, {}, {}, "", ""}});
+  LinePlot plot =
+      plotOf(Scale::kLinear, Scale::kLinear, {{3, 1, {}, {}, "", ""}, {2, 2, {}, {}, "", ""}, {1, 5, {}, {}, "", ""}});
   plot.front = {{3, 1}, {2, 2}, {1, 5}};
   const auto root = test::page(svg(plot));
   const auto xs = ticks(*root, "x"), ys = ticks(*root, "y");
   double right, y0, x0, x0Again, y1, x1, x1Again, y2, x2, top;
-  ASSERT_EQ(std::sscanf(root->all("path", "front")[0]->attribute("d").c_str(), "M%lf %lfH%lfH%lfV%lfH%lfH%lfV%lfH%lfV%lf", &right, &y0, &x0, &x0Again, &y1, &x1, &x1Again, &y2, &x2, &top), 10);
+  ASSERT_EQ(
+      std::sscanf(root->all("path", "front")[0]->attribute("d").c_str(), "M%lf %lfH%lfH%lfV%lfH%lfH%lfV%lfH%lfV%lf",
+                  &right, &y0, &x0, &x0Again, &y1, &x1, &x1Again, &y2, &x2, &top),
+      10);
   EXPECT_NEAR(valueAt(xs, x0, false), 3, 0.01);
   EXPECT_EQ(x0, x0Again);
   EXPECT_NEAR(valueAt(ys, y0, false), 1, 0.02);
@@ -147,7 +165,9 @@ TEST(RowChart, PartsAreAsLongAsTheirTimes) {
   RowChart chart;
   chart.title = "t";
   chart.x = {"ms", Scale::kLinear, true, {}, false};
-  chart.rows = {{"first", "", {{30, 0, "a", "tip"}, {50, 1, "b", "tip"}}, {}}, {"second", "", {{120, 0, "a", "tip"}}, {}}, {"nothing", "", {{0, 0, "a", "tip"}}, {}}};
+  chart.rows = {{"first", "", {{30, 0, "a", "tip"}, {50, 1, "b", "tip"}}, {}},
+                {"second", "", {{120, 0, "a", "tip"}}, {}},
+                {"nothing", "", {{0, 0, "a", "tip"}}, {}}};
   const auto root = test::page(svg(chart));
   const auto t = ticks(*root, "x");
   EXPECT_EQ(t.front().value, 0);
@@ -156,7 +176,8 @@ TEST(RowChart, PartsAreAsLongAsTheirTimes) {
   const double expected[3][2] = {{0, 30}, {30, 80}, {0, 120}};
   for (std::size_t i = 0; i < 3; ++i) {
     const Element* rect = parts[i]->all("rect")[0];
-    const double x = std::strtod(rect->attribute("x").c_str(), nullptr), w = std::strtod(rect->attribute("width").c_str(), nullptr);
+    const double x = std::strtod(rect->attribute("x").c_str(), nullptr),
+                 w = std::strtod(rect->attribute("width").c_str(), nullptr);
     EXPECT_NEAR(valueAt(t, x, false), expected[i][0], 0.05);
     EXPECT_NEAR(valueAt(t, x + w, false), expected[i][1], 0.05);
   }

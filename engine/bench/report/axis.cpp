@@ -12,6 +12,7 @@ namespace {
 
 /// A tick's label: as few digits as tell it from its neighbours, at most 6.
 std::string tickLabel(double value) {
+  if (std::abs(value) >= 1000 && std::abs(value) < 1e7 && value == std::round(value)) return whole(value);
   for (int digits = 1; digits < 6; ++digits) {
     const double scale = std::pow(10.0, digits - 1 - std::floor(std::log10(std::abs(value))));
     if (value == 0 || std::abs(std::round(value * scale) / scale - value) <= 1e-9 * std::abs(value))

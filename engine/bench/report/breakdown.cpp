@@ -87,8 +87,7 @@ std::string floors(const Context& context, const Points& chosen, Reference refer
   if (!copy || !(*copy > 0)) return {};
   RowChart chart;
   chart.title = "Share of the bandwidth floor";
-  chart.x = {
-      "bandwidth floor / time, percent (100: nothing but the bytes that must move)", Scale::kLinear, true, {}, false};
+  chart.x = {"bandwidth floor / time, percent (100: nothing but the bytes that must move)", Scale::kLinear, true};
   chart.noteWidth = 230;
   for (const Point* p : chosen) {
     if (!p->floorBytes || !p->volumetrics || !(p->volumetrics->median > 0)) continue;

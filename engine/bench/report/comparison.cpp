@@ -9,14 +9,14 @@
 namespace tyndall::bench::report {
 namespace {
 
-/// 1, 2, 5 times powers of ten within [low, high], at most 9 of them (the tens first when there are more).
+/// 1, 2, 5 times powers of ten within [low, high], or of ten only where that makes more than 12.
 std::vector<double> ladder(double low, double high) {
   for (const std::vector<int>& steps : {std::vector<int>{1, 2, 5}, std::vector<int>{1}}) {
     std::vector<double> rungs;
     for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade)
       for (const int s : steps)
         if (const double v = s * std::pow(10.0, decade); v >= low && v <= high) rungs.push_back(v);
-    if (rungs.size() <= 9 || steps.size() == 1) return rungs;
+    if (rungs.size() <= 12 || steps.size() == 1) return rungs;
   }
   return {};
 }

@@ -37,8 +37,8 @@ std::string errorTimePart(const Context& context, const Level& level, const View
   LinePlot plot;
   plot.title =
       "Run time against error, " + level.name + " camera " + std::to_string(level.camera) + ", " + sizeText(view);
-  plot.x = {"nRMSE against the " + std::string(referenceName(reference)), Scale::kLog, false, {}, false};
-  plot.y = {"volumetrics, ms", Scale::kLog, false, {}, false};
+  plot.x = {"nRMSE against the " + std::string(referenceName(reference)), Scale::kLog};
+  plot.y = {"volumetrics, ms", Scale::kLog};
   plot.width = 860;
   plot.height = 520;
   if (reference == Reference::kTruth && level.truthSelfNrmse && *level.truthSelfNrmse > 0)

@@ -25,7 +25,7 @@ std::string table(const Context& context, const Points& points, const std::strin
   for (const Point& p : context.results.points) byKey[p.key] = &p;
   RowChart chart;
   chart.title = title + ": time over brute force's, the paper's and here";
-  chart.x = {"time / time of brute force (left of 1: faster than brute force)", Scale::kLog, false, {}, false};
+  chart.x = {"time / time of brute force (left of 1: faster than brute force)", Scale::kLog};
   chart.rule = Rule{1, ""};
   Markup m;
   m.element("h3", title);

@@ -103,9 +103,9 @@ class Field {
 std::optional<Spread> spread(const Field& f) {
   if (!f.object()) return {};
   const Spread s = {f["median"].amount().value_or(0), f["low"].amount(), f["high"].amount(), f["n"].amount()};
+  if (f["median"].empty()) return {};
   if (s.low && *s.low > s.median) f["low"].wrong("at most the median");
   if (s.high && *s.high < s.median) f["high"].wrong("at least the median");
-  if (f["median"].empty()) return {};
   return s;
 }
 

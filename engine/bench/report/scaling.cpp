@@ -46,7 +46,7 @@ std::string timePlot(const Context& context, const std::vector<Curve>& curves, c
   LinePlot plot;
   plot.title = (shadow ? "Shadow maps' time against " : "Volumetrics' time against ") + x.label;
   plot.x = x;
-  plot.y = {shadow ? "engine's shadow maps, ms" : "volumetrics, ms", Scale::kLog, false, {}, false};
+  plot.y = {shadow ? "engine's shadow maps, ms" : "volumetrics, ms", Scale::kLog};
   std::vector<std::string> found;
   for (const Curve& c : curves) {
     Line line = {c.series, context.styles.of(c.series), {}, x.scale != Scale::kCategory};

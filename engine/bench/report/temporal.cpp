@@ -18,12 +18,12 @@ std::string againstTime(const Context& context, const Points& points, const std:
                         std::set<std::string>& shown) {
   LinePlot plot;
   plot.title = label + " against time";
-  plot.x = {label, Scale::kLog, false, {}, false};
-  plot.y = {"volumetrics, ms", Scale::kLog, false, {}, false};
+  plot.x = {label, Scale::kLog};
+  plot.y = {"volumetrics, ms", Scale::kLog};
   for (const auto& [series, own] : bySeries(points, context.styles)) {
     Line line = {series, context.styles.of(series), {}, true};
     for (const Point* p : own) {
-      const Number x = p->temporal ? get(*p->temporal) : Number(), y = timeOf(*p);
+      const Number x = get(p->temporal.value_or(Temporal())), y = timeOf(*p);
       if (!x || !y) continue;
       line.marks.push_back({*x, *y, p->volumetrics->low, p->volumetrics->high,
                             tipOf(*p, referenceOf(points)) + "\n" + label + " " + figure(*x), p->label});

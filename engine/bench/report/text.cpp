@@ -36,7 +36,7 @@ std::string figureOrDash(const std::optional<double>& value, int digits) {
 std::string whole(double value) {
   std::string text = toChars(std::round(std::abs(value)), std::chars_format::fixed, 0);
   for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
-  return (value < 0 ? "−" : "") + text;
+  return std::string(value < 0 ? "−" : "").append(text);
 }
 
 std::string bytes(double count) {
