@@ -96,9 +96,11 @@ TEST(Content, SentencesNameTheFrontInOrder) {
                    test::point("exact", "exact", "K = 2", 30, 0.1), test::point("march", "ray_march", "m2", 25, 0.3),
                    test::point("fourier", "fourier", "f", 90, 0.05)});
   const std::string text = findings(*pageOf(results));
-  EXPECT_THAT(text,
-              HasSubstr("from the least error to the least time: fourier at nRMSE 0.0500, 90.0 ms (f); exact at nRMSE "
-                        "0.100 to 0.200, 30.0 to 20.0 ms (K = 2 and K = 1); march at nRMSE 0.500, 10.0 ms (m1)."));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "Pareto front: From the least error to the least time: fourier at nRMSE 0.0500, 90.0 ms (f); exact at nRMSE "
+          "0.100 to 0.200, 30.0 to 20.0 ms (K = 2 and K = 1); march at nRMSE 0.500, 10.0 ms (m1)."));
   EXPECT_THAT(text, HasSubstr("exact against fourier at equal error: not reached"));
   EXPECT_THAT(
       text,

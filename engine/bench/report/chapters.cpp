@@ -42,11 +42,11 @@ std::string levelChapter(const Context& context, const Level& level) {
   }
   body += knobsPart(context, inLevel(pointsOf(context.results, "knob"), level));
   body += temporalPart(context, inLevel(pointsOf(context.results, "motion"), level));
+  if (body.empty()) return {};
   Markup m;
   m.element("h2",
             (level.name.empty() ? "Level without a name" : level.name) + ", camera " + std::to_string(level.camera),
             {{"id", anchorOf(level)}});
-  if (body.empty()) m.element("p", "No plot of its own: the points of this level are in the chapters below.");
   return m.take() + body;
 }
 

@@ -7,7 +7,9 @@
 
 namespace tyndall::bench::report {
 
-std::string headChapter(const Context& context);                       ///< what was measured, how, and what to mind
+using Contents = std::vector<std::pair<std::string, std::string>>;  ///< anchor and title of each chapter that is there
+/// What was measured, how, what to mind, and where in the page it is.
+std::string headChapter(const Context& context, const Contents& contents);
 std::string levelChapter(const Context& context, const Level& level);  ///< all of the plots of one level and camera
 std::string scalingChapter(const Context& context);  ///< time against resolution, map, lights, triangles
 std::string papersChapter(const Context& context);   ///< the papers' tables, theirs beside ours

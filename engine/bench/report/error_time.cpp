@@ -67,7 +67,8 @@ std::string errorTimePart(const Context& context, const Level& level, const View
   m.raw(figureBlock({svg(plot)}, legend(series, context.styles),
                     caption(plot, drawn.size(), points.size() - all.size(), all.size() - drawn.size(), reference)));
   m.open("ul", {{"class", "findings"}});
-  for (const std::string& line : sentences(context, level, points, reference)) m.element("li", line);
+  for (const Finding& f : findings(context, level, points, reference))
+    m.open("li").element("b", f.about + ":").text(" " + f.text).close();
   m.close();
   m.raw(equalTables(context, measured, reference));
   m.raw(breakdownPart(context, measured, reference));

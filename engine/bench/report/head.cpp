@@ -79,7 +79,7 @@ void mind(Markup& m, const Results& r) {
   m.close();
 }
 
-void levels(Markup& m, const Results& r) {
+void levels(Markup& m, const Results& r, const Contents& contents) {
   if (r.levels.empty()) return;
   m.element("h2", "Levels", {{"id", "levels"}});
   m.open("div", {{"class", "scroll"}}).open("table", {{"class", "sortable"}}).open("thead").open("tr");
@@ -94,11 +94,14 @@ void levels(Markup& m, const Results& r) {
       m.element("td", "–", {{"class", "none"}});
   };
   for (const Level& l : r.levels) {
-    m.open("tr")
-        .open("th", {{"scope", "row"}})
-        .element("a", l.name, {{"href", "#" + anchorOf(l)}})
-        .close()
-        .element("td", std::to_string(l.camera), {{"class", "number"}});
+    m.open("tr").open("th", {{"scope", "row"}});
+    const bool chapter =
+        std::any_of(contents.begin(), contents.end(), [&](const auto& c) { return c.first == anchorOf(l); });
+    if (chapter)
+      m.element("a", l.name, {{"href", "#" + anchorOf(l)}});
+    else
+      m.text(l.name);
+    m.close().element("td", std::to_string(l.camera), {{"class", "number"}});
     number(l.triangles, true);
     number(l.lights, true);
     m.element("td", l.lightInView ? (*l.lightInView ? "yes" : "no") : "–");
@@ -115,11 +118,14 @@ void levels(Markup& m, const Results& r) {
 
 }  // namespace
 
-std::string headChapter(const Context& context) {
+std::string headChapter(const Context& context, const Contents& contents) {
   Markup m;
   facts(m, context.results);
   mind(m, context.results);
-  levels(m, context.results);
+  levels(m, context.results, contents);
+  m.open("nav").open("ul");
+  for (const auto& [anchor, title] : contents) m.open("li").element("a", title, {{"href", "#" + anchor}}).close();
+  m.close().close();
   return m.take();
 }
 

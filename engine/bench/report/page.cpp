@@ -37,10 +37,12 @@ table.points { font-size:12px; } table.points td { white-space:nowrap; }
 svg.plot { display:block; width:100%; height:auto; font:11px system-ui,"DejaVu Sans",sans-serif; } svg.swatch { vertical-align:-3px; }
 .plot text { fill:var(--ink); } .grid { stroke:var(--line); stroke-width:1; } .minor { stroke:var(--faint); } .frame { fill:none; stroke:var(--soft); }
 .plot text.tick { fill:var(--soft); } text.x { text-anchor:middle; } text.tick.y { text-anchor:end; } text.axis { font-size:12px; text-anchor:middle; } .plot text.note { fill:var(--soft); }
-.curve { fill:none; stroke-width:1.6; stroke-linejoin:round; } .front { fill:none; stroke:var(--front); stroke-width:6; stroke-opacity:.45; stroke-linejoin:round; }
+.c0 { --s:var(--c0); } .c1 { --s:var(--c1); } .c2 { --s:var(--c2); } .c3 { --s:var(--c3); } .c4 { --s:var(--c4); } .c5 { --s:var(--c5); } .c6 { --s:var(--c6); } .c7 { --s:var(--c7); } .c8 { --s:var(--c8); } .c9 { --s:var(--c9); }
+.f0 { --s:var(--f0); } .f1 { --s:var(--f1); } .f2 { --s:var(--f2); } .f3 { --s:var(--f3); } .f4 { --s:var(--f4); } .f5 { --s:var(--f5); } .f6 { --s:var(--f6); } .f7 { --s:var(--f7); }
+.curve { fill:none; stroke:var(--s); stroke-width:1.6; stroke-linejoin:round; } .front { fill:none; stroke:var(--front); stroke-width:6; stroke-opacity:.45; stroke-linejoin:round; }
 .rule { stroke:var(--soft); stroke-width:1.2; stroke-dasharray:3 3; } text.rule { stroke:none; text-anchor:end; fill:var(--soft); font-size:10px; } .reach { stroke:var(--line); stroke-width:3; }
-.mark .dot { stroke:var(--paper); stroke-width:1; } .mark .bar { fill:none; stroke-width:1.2; } text.name { paint-order:stroke; stroke:var(--paper); stroke-width:3px; stroke-linejoin:round; font-size:10.5px; }
-.part rect { stroke:var(--paper); stroke-width:1; } text.part { text-anchor:middle; font-size:10.5px; pointer-events:none; }
+.mark .dot { fill:var(--s); stroke:var(--paper); stroke-width:1; } .mark .bar { fill:none; stroke:var(--s); stroke-width:1.2; } text.name { paint-order:stroke; stroke:var(--paper); stroke-width:3px; stroke-linejoin:round; font-size:10.5px; }
+.part rect { fill:var(--s); stroke:var(--paper); stroke-width:1; } text.part { text-anchor:middle; font-size:10.5px; pointer-events:none; }
 .dim { opacity:.12; } #tip { position:fixed; display:none; pointer-events:none; white-space:pre-line; max-width:26rem; padding:.4rem .6rem; font-size:12.5px; background:var(--ink); color:var(--paper); border-radius:4px; z-index:9; }
 input.filter { font:inherit; font-size:13px; padding:.2rem .4rem; margin-right:.6rem; } button { font:inherit; font-size:13px; }
 @media print { body { max-width:none; padding:0; font-size:10pt; } .tall { max-height:none; } .scroll { overflow:visible; } table.points { font-size:5.5pt; } table.points td { white-space:normal; } table.points th, table.points td { padding:1px 2px; }

@@ -1,7 +1,6 @@
 #include "bench/report.hpp"
 
 #include "chapters.hpp"
-#include "markup.hpp"
 
 namespace tyndall::bench {
 
@@ -12,7 +11,7 @@ Result<std::string> reportHtml(const std::string& resultsJson) {
   const report::Context context = {*results, styles};
   // Chapter by chapter, with an entry in the list of contents for each that has something.
   std::string body;
-  std::vector<std::pair<std::string, std::string>> contents;
+  report::Contents contents;
   const auto add = [&](const std::string& chapter, const std::string& anchor, const std::string& title) {
     if (chapter.empty()) return;
     if (!anchor.empty()) contents.emplace_back(anchor, title);
@@ -24,14 +23,9 @@ Result<std::string> reportHtml(const std::string& resultsJson) {
   add(report::scalingChapter(context), "scaling", "Scaling");
   add(report::papersChapter(context), "papers", "The papers' tables");
   add(report::pointsChapter(context), "points", "All points");
-  report::Markup nav;
-  nav.open("nav").open("ul");
-  for (const auto& [anchor, title] : contents) nav.open("li").element("a", title, {{"href", "#" + anchor}}).close();
-  nav.close().close();
-
   const std::string title = "Benchmark" + (results->sweep.empty() ? "" : " " + results->sweep) +
                             (results->device.empty() ? "" : " on " + results->device);
-  return report::page(title, report::headChapter(context) + nav.take() + body);
+  return report::page(title, report::headChapter(context, contents) + body);
 }
 
 }  // namespace tyndall::bench

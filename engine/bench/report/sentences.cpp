@@ -27,7 +27,7 @@ std::string frontSentence(const Points& front, Reference reference) {
                    range(*timeOf(first), *timeOf(last), " ms") + (labels.empty() ? "" : " (" + list(labels) + ")"));
     p = end;
   }
-  std::string text = "On the Pareto front, from the least error to the least time: ";
+  std::string text = "From the least error to the least time: ";
   for (std::size_t i = 0; i < runs.size(); ++i) text += (i ? "; " : "") + runs[i];
   return text + ".";
 }
@@ -59,8 +59,7 @@ std::string duel(const Side& ours, const Side& other, double equal) {
     else
       parts.push_back(at + " " + other.name + " is " + range(1 / s.greatestRatio, 1 / s.leastRatio) + " times as fast");
   }
-  std::string text = ours.name + " against " + other.name + " at equal error: ";
-  if (parts.empty()) text += "not reached, their errors do not overlap";
+  std::string text = parts.empty() ? "not reached, their errors do not overlap" : "";
   for (std::size_t i = 0; i < parts.size(); ++i) text += (i ? "; " : "") + parts[i];
   const std::string e = ends(ours, other);
   text += "." + (e.empty() ? "" : " " + e);
@@ -73,15 +72,14 @@ std::string duel(const Side& ours, const Side& other, double equal) {
 
 }  // namespace
 
-std::vector<std::string> sentences(const Context& context, const Level& level, const Points& points,
-                                   Reference reference) {
+std::vector<Finding> findings(const Context& context, const Level& level, const Points& points, Reference reference) {
   Points measured;
   const auto all = costErrors(points, reference, &measured);
   const auto indices = paretoFront(all);
   if (indices.empty()) return {};
   Points front;
   for (const std::size_t i : indices) front.push_back(measured[i]);
-  std::vector<std::string> lines = {frontSentence(front, reference)};
+  std::vector<Finding> lines = {{"Pareto front", frontSentence(front, reference)}};
 
   const auto curveOf = [&](const std::function<bool(const Point&)>& wanted, Points* members) {
     Points own;
@@ -98,19 +96,23 @@ std::vector<std::string> sentences(const Context& context, const Level& level, c
     other.insert(other.end(), ourPoints.begin(), ourPoints.end());
     return 1 + noise(other);
   };
-  if (!ours.curve.empty() && !march.curve.empty()) lines.push_back(duel(ours, march, with(marchPoints)));
+  const auto duels = [&](const Side& other, double equal) {
+    lines.push_back({ours.name + " against " + other.name + " at equal error", duel(ours, other, equal)});
+  };
+  if (!ours.curve.empty() && !march.curve.empty()) duels(march, with(marchPoints));
   if (!ours.curve.empty())
     for (const auto& [series, own] : bySeries(measured, context.styles)) {
       if (isOurs(own.front()->technique) || isBruteForce(own.front()->technique)) continue;
       const Side rival = {series, curveOf([&](const Point& p) { return p.series == series; }, nullptr)};
-      if (!rival.curve.empty()) lines.push_back(duel(ours, rival, with(own)));
+      if (!rival.curve.empty()) duels(rival, with(own));
     }
   if (reference == Reference::kTruth && level.truthSelfNrmse) {
     const auto below =
         std::count_if(all.begin(), all.end(), [&](const CostError& c) { return c.error < 2 * *level.truthSelfNrmse; });
-    lines.push_back("The truth differs from itself with half the samples by nRMSE " + figure(*level.truthSelfNrmse) +
-                    ": of errors below about twice that (" + std::to_string(below) + " " +
-                    plural(static_cast<std::size_t>(below), "point") + ") a part is the truth's.");
+    lines.push_back({"The truth's own error",
+                     "The truth differs from itself with half the samples by nRMSE " + figure(*level.truthSelfNrmse) +
+                         ": of errors below about twice that (" + std::to_string(below) + " " +
+                         plural(static_cast<std::size_t>(below), "point") + ") a part is the truth's."});
   }
   return lines;
 }

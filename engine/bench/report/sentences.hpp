@@ -8,9 +8,12 @@
 
 namespace tyndall::bench::report {
 
+struct Finding {
+  std::string about, text;
+};
+
 /// The front, by series from the least error on; where the plain march or a rival is cheaper than ours at equal error
 /// and where ours is; how far the truth itself can be trusted.
-std::vector<std::string> sentences(const Context& context, const Level& level, const Points& points,
-                                   Reference reference);
+std::vector<Finding> findings(const Context& context, const Level& level, const Points& points, Reference reference);
 
 }  // namespace tyndall::bench::report
