@@ -53,11 +53,11 @@ AxisMap::AxisMap(const Axis& axis, const std::vector<double>& values, double beg
   const double room = 0.06 * (high_ - low_);
   if (!axis_.fromZero || low_ < 0) low_ -= room;
   high_ += room;
-  if (axis_.ticksAtData && tickAt(data, 30)) return;
+  if (axis_.ticksAtData && ticksAt(data)) return;
   if (log)
-    logTicks(data);
+    logTicks();
   else
-    linearTicks(data);
+    linearTicks();
 }
 
 double AxisMap::position(double value) const { return axis_.scale == Scale::kLog ? std::log10(value) : value; }
@@ -66,19 +66,24 @@ double AxisMap::pixel(double value) const {
   return begin_ + (end_ - begin_) * (position(value) - low_) / (high_ - low_);
 }
 
-/// True when the ticks at the data's own values have `room` pixels each.
-bool AxisMap::tickAt(const std::vector<double>& data, double room) {
+/// False where the labels of ticks at the data's own values would run into each other.
+bool AxisMap::ticksAt(const std::vector<double>& data) {
   std::vector<Tick> ticks;
+  double end = 0;  // of the last label
   for (const double v : std::set<double>(data.begin(), data.end())) {
-    if (!ticks.empty() && std::abs(pixel(v) - ticks.back().pixel) < room) return false;
-    ticks.push_back({v, pixel(v), tickLabel(v)});
+    const auto name = axis_.names.find(v);
+    const std::string label = name == axis_.names.end() ? tickLabel(v) : name->second;
+    const double half = 0.5 * std::max(18.0, 6.2 * static_cast<double>(label.size())), at = std::abs(pixel(v) - begin_);
+    if (!ticks.empty() && at - half < end + 4) return false;
+    end = at + half;
+    ticks.push_back({v, pixel(v), label});
   }
   ticks_ = ticks;
   return true;
 }
 
 /// Lines at 1 … 9 of each decade. Labels at 1, at 1-2-5 or at 1-2-3-5-7, whichever is the first to give three.
-void AxisMap::logTicks(const std::vector<double>&) {
+void AxisMap::logTicks() {
   const int first = static_cast<int>(std::floor(low_)), last = static_cast<int>(std::floor(high_));
   const int decades = last - first + 1;
   const int step = std::max(1, static_cast<int>(std::ceil(decades / 8.0)));  // every n-th decade on very long axes
@@ -99,7 +104,7 @@ void AxisMap::logTicks(const std::vector<double>&) {
   }
 }
 
-void AxisMap::linearTicks(const std::vector<double>&) {
+void AxisMap::linearTicks() {
   const double rough = (high_ - low_) / 6, power = std::pow(10.0, std::floor(std::log10(rough)));
   double step = 10 * power;
   for (const double m : {1.0, 2.0, 5.0})

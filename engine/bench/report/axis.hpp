@@ -1,6 +1,7 @@
 // From data to pixels: scale, range, ticks.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Axis {
   bool fromZero = false;                ///< linear only: the axis begins at 0 (bars)
   std::vector<std::string> categories;  ///< kCategory: values are 0, 1, …
   bool ticksAtData = false;             ///< a tick at each value (a knob with a few settings) instead of round ones
+  std::map<double, std::string> names;  ///< labels of such ticks, where not the value itself
 };
 
 struct Tick {
@@ -30,9 +32,9 @@ class AxisMap {
 
  private:
   double position(double value) const;  ///< value, or its logarithm
-  void logTicks(const std::vector<double>& data);
-  void linearTicks(const std::vector<double>& data);
-  bool tickAt(const std::vector<double>& data, double room);
+  void logTicks();
+  void linearTicks();
+  bool ticksAt(const std::vector<double>& data);
 
   Axis axis_;
   double low_ = 0, high_ = 1, begin_, end_;

@@ -47,33 +47,51 @@ std::string noteOf(const Point& p, Reference reference) {
   return (p.volumetrics ? figure(p.volumetrics->median) + " ms, " : "") + "nRMSE " + figure(*errorOf(p, reference));
 }
 
+/// Fills for the passes: the ones that take most of some point's time get their own, by first appearance; the rest
+/// share the last one.
+std::map<std::string, int> fillsOf(const Points& chosen, std::vector<std::pair<int, std::string>>& legend) {
+  std::vector<std::pair<std::string, double>> passes;
+  for (const Point* p : chosen) {
+    double sum = 0;
+    for (const Pass& pass : p->passes) sum += pass.owner == "engine" ? 0 : pass.ms;
+    for (const Pass& pass : p->passes) {
+      if (pass.owner == "engine" || !(sum > 0)) continue;
+      auto found = std::find_if(passes.begin(), passes.end(), [&](const auto& q) { return q.first == pass.name; });
+      if (found == passes.end()) found = passes.insert(passes.end(), {pass.name, 0});
+      found->second = std::max(found->second, pass.ms / sum);
+    }
+  }
+  auto ranked = passes;
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  const auto own = static_cast<std::size_t>(passes.size() > kFills ? kFills - 1 : kFills);
+  if (ranked.size() > own) ranked.resize(own);
+  std::map<std::string, int> fills;
+  for (const auto& [name, share] : passes) {
+    const bool ofItsOwn = std::any_of(ranked.begin(), ranked.end(), [&](const auto& r) { return r.first == name; });
+    const int fill = ofItsOwn ? static_cast<int>(legend.size()) : kFills - 1;
+    fills[name] = fill;
+    if (ofItsOwn) legend.emplace_back(fill, name);
+  }
+  if (passes.size() > own) legend.emplace_back(kFills - 1, "further passes");
+  return fills;
+}
+
 std::string stages(const Points& chosen, Reference reference) {
-  std::map<std::string, int> fills;  // pass name -> fill, by first appearance
   std::vector<std::pair<int, std::string>> legend;
+  const auto fills = fillsOf(chosen, legend);
   RowChart chart;
   chart.title = "Time of each pass";
   chart.x = {"ms of each of the plugin's passes (medians, so that they need not add up to the median of the whole)",
-             Scale::kLinear,
-             true,
-             {},
-             false};
+             Scale::kLinear, true};
   chart.noteWidth = 160;
   for (const Point* p : chosen) {
     Row row = {nameOf(*p), noteOf(*p, reference), {}, {}};
     for (const Pass& pass : p->passes) {
-      if (pass.owner == "engine") continue;
-      if (!fills.count(pass.name)) {
-        const int fill = std::min(static_cast<int>(fills.size()), kFills - 1);
-        fills[pass.name] = fill;
-        if (fill < kFills - 1)
-          legend.emplace_back(fill, pass.name);
-        else if (legend.size() < kFills)
-          legend.emplace_back(fill, "further passes");
-      }
+      if (pass.owner == "engine" || !fills.count(pass.name)) continue;
       const std::string share = p->volumetrics && p->volumetrics->median > 0
                                     ? ", " + percent(pass.ms / p->volumetrics->median) + " of the plugin's time"
                                     : "";
-      row.segments.push_back({pass.ms, fills[pass.name], pass.name,
+      row.segments.push_back({pass.ms, fills.at(pass.name), pass.name,
                               nameOf(*p) + "\n" + pass.name + ": " + figure(pass.ms) + " ms" + share});
     }
     chart.rows.push_back(std::move(row));
@@ -173,7 +191,10 @@ std::string parts(const Points& chosen, Reference reference) {
   const std::string plot = svg(chart);
   if (plot.empty()) return {};
   std::vector<std::pair<Style, std::string>> legend;
-  for (const Part& part : kParts) legend.emplace_back(part.style, part.name);
+  for (const Part& part : kParts)
+    if (std::any_of(chosen.begin(), chosen.end(),
+                    [&](const Point* p) { return (split(*p, reference).*(part.region)).has_value(); }))
+      legend.emplace_back(part.style, part.name);
   return figureBlock({plot}, markerLegend(legend),
                      "Silhouettes: a relative step of depth over 5 % among a pixel's neighbours, or picture and truth "
                      "end on different surfaces. "

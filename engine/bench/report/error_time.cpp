@@ -70,6 +70,10 @@ std::string errorTimePart(const Context& context, const Level& level, const View
   for (const Finding& f : findings(context, level, points, reference))
     m.open("li").element("b", f.about + ":").text(" " + f.text).close();
   m.close();
+  m.element("p",
+            "exact and the plain march stand for the Pareto fronts of all series of their techniques (exact; "
+            "ray_march), the others for themselves. Ratios are of times interpolated at equal error.",
+            {{"class", "caption"}});
   m.raw(equalTables(context, measured, reference));
   m.raw(breakdownPart(context, measured, reference));
   return m.take();

@@ -18,6 +18,7 @@ KnobAxis::KnobAxis(const std::string& label, const Points& points) {
   axis_.label = label;
   values_ = axis_.categories.size();
   if (!numeric || numbers.empty()) {
+    if (axis_.categories == std::vector<std::string>{"true", "false"}) axis_.categories = {"false", "true"};
     axis_.scale = Scale::kCategory;
     return;
   }

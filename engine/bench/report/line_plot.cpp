@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "markup.hpp"
 
@@ -106,8 +107,11 @@ class Drawing {
 
   void curve(const Line& line) {
     std::string path;
+    const Mark* last = nullptr;
     for (const Mark& mark : line.marks) {
       if (!shown(mark)) continue;
+      if (last && line.joined) keepClear(x_.pixel(last->x), y_.pixel(last->y), x_.pixel(mark.x), y_.pixel(mark.y));
+      last = &mark;
       path += (path.empty() ? "M" : "L") + coordinate(x_.pixel(mark.x)) + " " + coordinate(y_.pixel(mark.y));
     }
     if (!line.joined || path.find('L') == std::string::npos) return;
@@ -115,6 +119,15 @@ class Drawing {
                      {"d", path},
                      {"stroke-dasharray", line.style.dash ? dashes(line.style.dash) : "none"},
                      {"data-series", line.series}});
+  }
+
+  /// Names would rather not lie on a line: boxes along it.
+  void keepClear(double x0, double y0, double x1, double y1) {
+    const int steps = 1 + static_cast<int>(std::hypot(x1 - x0, y1 - y0) / 6);
+    for (int i = 0; i <= steps; ++i) {
+      const double t = 1.0 * i / steps, px = std::lerp(x0, x1, t), py = std::lerp(y0, y1, t);
+      lines_.push_back({px - 3, py - 3, px + 3, py + 3});
+    }
   }
 
   void marker(const Line& line, const Mark& mark) {
@@ -134,38 +147,46 @@ class Drawing {
     taken_.push_back({px - 5, py - 5, px + 5, py + 5});
   }
 
-  /// Names beside their marks, at the first of eight places that is free; none where all are taken.
+  /// Names beside their marks, at the first of eight places that is free, clear of lines too where that can be; none
+  /// where all are taken.
   void names() {
     for (const Line& line : plot_.lines)
       for (const Mark& mark : line.marks) {
         if (mark.name.empty() || !shown(mark)) continue;
-        const double px = x_.pixel(mark.x), py = y_.pixel(mark.y);
-        const double w = 5.9 * static_cast<double>(mark.name.size()), h = 12;
-        const std::array<std::array<double, 2>, 8> places = {{{9, -h / 2},
-                                                              {-9 - w, -h / 2},
-                                                              {6, -h - 5},
-                                                              {-w - 6, 5},
-                                                              {6, 5},
-                                                              {-w - 6, -h - 5},
-                                                              {-w / 2, -h - 8},
-                                                              {-w / 2, 8}}};
-        for (const auto& [dx, dy] : places) {
-          const Box box = {px + dx, py + dy, px + dx + w, py + dy + h};
-          const bool inside = box.left > f_.left && box.right < f_.right && box.top > f_.top && box.bottom < f_.bottom;
-          if (!inside || std::any_of(taken_.begin(), taken_.end(), [&](const Box& b) { return overlap(b, box); }))
-            continue;
-          m_.element("text", mark.name, {{"class", "name"}, {"x", box.left}, {"y", box.bottom - 3}});
-          taken_.push_back(box);
-          break;
-        }
+        auto box = place(mark, true);
+        if (!box) box = place(mark, false);
+        if (!box) continue;
+        m_.element("text", mark.name, {{"class", "name"}, {"x", box->left}, {"y", box->bottom - 3}});
+        taken_.push_back(*box);
       }
+  }
+
+  std::optional<Box> place(const Mark& mark, bool clearOfLines) const {
+    const double px = x_.pixel(mark.x), py = y_.pixel(mark.y);
+    const double w = 5.9 * static_cast<double>(mark.name.size()), h = 12;
+    const std::array<std::array<double, 2>, 8> places = {{{9, -h / 2},
+                                                          {-9 - w, -h / 2},
+                                                          {6, -h - 5},
+                                                          {-w - 6, 5},
+                                                          {6, 5},
+                                                          {-w - 6, -h - 5},
+                                                          {-w / 2, -h - 8},
+                                                          {-w / 2, 8}}};
+    for (const auto& [dx, dy] : places) {
+      const Box box = {px + dx, py + dy, px + dx + w, py + dy + h};
+      const auto hits = [&](const Box& b) { return overlap(b, box); };
+      if (box.left < f_.left || box.right > f_.right || box.top < f_.top || box.bottom > f_.bottom) continue;
+      if (std::any_of(taken_.begin(), taken_.end(), hits)) continue;
+      if (!clearOfLines || std::none_of(lines_.begin(), lines_.end(), hits)) return box;
+    }
+    return {};
   }
 
   const LinePlot& plot_;
   Frame f_;
   AxisMap x_, y_;
   Markup m_;
-  std::vector<Box> taken_;
+  std::vector<Box> taken_, lines_;
 };
 
 }  // namespace

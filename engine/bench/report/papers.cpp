@@ -31,7 +31,7 @@ std::string table(const Context& context, const Points& points, const std::strin
   m.element("h3", title);
   m.open("div", {{"class", "scroll"}}).open("table", {{"class", "sortable"}}).open("thead").open("tr");
   for (const char* head : {"row", "view", "paper, ms", "here, ms", "quartiles", "nRMSE here", "paper / brute force",
-                           "here / brute force", "here's ratio / paper's", "brute force here"})
+                           "here / brute force", "ratio here / in the paper", "brute force here"})
     m.element("th", head, {{"scope", "col"}});
   m.close().close().open("tbody");
   for (const Point* p : points) {

@@ -40,7 +40,7 @@ void row(Markup& m, const Context& context, const Point& p) {
       .element("td", p.level)
       .element("td", std::to_string(p.camera))
       .element("td", sizeText(p.width, p.height), {{"data-v", coordinate(1.0 * p.width * p.height)}});
-  m.element("td", p.series).element("td", p.label).element("td", p.technique).element("td", list(p.plots));
+  m.element("td", p.series).element("td", p.label);
   times(m, p.volumetrics);
   number(m, p.volumetrics ? p.volumetrics->n : Number());
   number(m, p.shadow ? Number(p.shadow->median) : Number());
@@ -58,7 +58,7 @@ void row(Markup& m, const Context& context, const Point& p) {
   number(m, p.temporal ? p.temporal->flicker : Number());
   number(m, p.memoryBytes ? Number(*p.memoryBytes / 1e6) : Number());
   number(m, floorShare(context.results, p));
-  m.element("td", settingsText(p.settings)).close();
+  m.element("td", p.technique).element("td", list(p.plots)).element("td", settingsText(p.settings)).close();
 }
 
 }  // namespace
@@ -97,13 +97,13 @@ std::string pointsChapter(const Context& context) {
             "Errors are over the mean of the reference; times in ms; memory in 10⁶ bytes. A click on a column's head "
             "sorts by it.");
   m.open("div", {{"class", "scroll tall"}}).open("table", {{"class", "sortable points"}}).open("thead").open("tr");
-  for (const char* head : {"level",          "camera",          "size",     "series",
-                           "label",          "technique",       "plots",    "volumetrics",
-                           "lower quartile", "upper quartile",  "n",        "shadow maps",
-                           "frame",          "nRMSE, truth",    "p99",      "largest",
-                           "bias",           "silhouettes",     "interior", "light",
-                           "nRMSE, march",   "nRMSE in motion", "flicker",  "memory",
-                           "floor, %",       "settings"})
+  for (const char* head : {"level",    "camera",      "size",           "series",
+                           "label",    "volumetrics", "lower quartile", "upper quartile",
+                           "n",        "shadow maps", "frame",          "nRMSE, truth",
+                           "p99",      "largest",     "bias",           "silhouettes",
+                           "interior", "light",       "nRMSE, march",   "nRMSE in motion",
+                           "flicker",  "memory",      "floor, %",       "technique",
+                           "plots",    "settings"})
     m.element("th", head, {{"scope", "col"}});
   m.close().close().open("tbody");
   for (const Point& p : points)

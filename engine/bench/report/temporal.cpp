@@ -26,7 +26,8 @@ std::string againstTime(const Context& context, const Points& points, const std:
       const Number x = get(p->temporal.value_or(Temporal())), y = timeOf(*p);
       if (!x || !y) continue;
       line.marks.push_back({*x, *y, p->volumetrics->low, p->volumetrics->high,
-                            tipOf(*p, referenceOf(points)) + "\n" + label + " " + figure(*x), p->label});
+                            tipOf(*p, referenceOf(points)) + "\n" + label + " " + figure(*x),
+                            own.size() == 1 ? series : p->label});
     }
     if (!line.marks.empty()) shown.insert(series);
     plot.lines.push_back(std::move(line));
