@@ -202,7 +202,7 @@ std::string svg(const LinePlot& plot) {
     }
   if (xs.empty()) return {};
   if (plot.rule) xs.push_back(plot.rule->x);
-  return Drawing(plot, {58, 10, plot.width - 12, plot.height - 46}, xs, ys).draw();
+  return Drawing(plot, {58, 10, plot.width - 28, plot.height - 46}, xs, ys).draw();
 }
 
 std::string swatch(Style style) {
