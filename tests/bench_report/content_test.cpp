@@ -85,8 +85,9 @@ TEST(Content, SentencesSayWhoIsCheaperWhere) {
   const std::string text = findings(*pageOf(results));
   EXPECT_THAT(text, HasSubstr("from nRMSE 0.00500 to 0.0200 the plain march is 1.00 to 4.00 times as fast"));
   EXPECT_THAT(text, HasSubstr("from nRMSE 0.0200 to 0.400 exact is 1.00 to 20.0 times as fast"));
-  EXPECT_THAT(text,
-              HasSubstr("Below nRMSE 0.00500 exact is not reached; the plain march goes down to 0.00400, at 250 ms."));
+  EXPECT_THAT(
+      text,
+      HasSubstr("exact does not reach less than nRMSE 0.00500; the plain march goes down to 0.00400, at 250 ms."));
   EXPECT_THAT(text, Not(HasSubstr("With more error than any point of exact")));
 }
 
@@ -166,6 +167,7 @@ TEST(Content, EveryPlotFamilyHasItsPlots) {
   for (const Element* svg : page->all("svg", "plot")) ++titles[svg->attribute("aria-label")];
   EXPECT_EQ(titles["Run time against error, hall camera 0, 1280×720"], 1);
   EXPECT_EQ(titles["Run time against error, vault camera 0, 1280×720"], 1);
+  EXPECT_EQ(titles["Run time against error, hall camera 0, 1280×720, against the converged march"], 1);
   EXPECT_EQ(titles["nRMSE against the ray-traced truth against volumetrics.knob"], 3);
   EXPECT_EQ(titles["volumetrics, ms against volumetrics.knob"], 3);  // two levels, and the map's
   EXPECT_EQ(titles["volumetrics, ms against pixels"], 1);
@@ -176,6 +178,25 @@ TEST(Content, EveryPlotFamilyHasItsPlots) {
   EXPECT_EQ(titles["Error by kind of pixel"], 2);
   // Time was made proportional to the pixels, and to the map's side.
   EXPECT_THAT(page->text, HasSubstr("(1: proportional): exact 1.0."));
+}
+
+TEST(Content, KnobsMayBeTextsAndSwitches) {
+  std::vector<json> points;
+  for (const json& value : {json("average"), json("transmittance"), json(true), json(false)}) {
+    json p = test::point("exact", "exact", "a", 10, 0.1);
+    p["plot"] = {"knob"};
+    p["knob"] = {{"id", value.is_boolean() ? "volumetrics.jitter" : "volumetrics.weights"}, {"value", value}};
+    points.push_back(p);
+  }
+  const auto page = pageOf(resultsWith(points));
+  const auto plots = page->all("svg", "plot");
+  ASSERT_EQ(plots.size(), 4u);
+  std::vector<std::string> labels;
+  for (const std::size_t i : {0u, 2u})
+    for (const Element* t : plots[i]->all("text", "tick"))
+      if (t->hasClass("x")) labels.push_back(t->text);
+  EXPECT_THAT(labels, testing::ElementsAre("average", "transmittance", "false", "true"));
+  EXPECT_TRUE(plots[0]->all("path", "curve").empty()) << "there is nothing between two words";
 }
 
 TEST(Content, PointsThatFailedAreListedAndDrawnNowhere) {

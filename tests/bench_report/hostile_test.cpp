@@ -1,4 +1,7 @@
 // What may be missing is missing, and texts are hostile: the page stays whole and well-formed.
+#include <cmath>
+#include <random>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -73,6 +76,63 @@ TEST(Missing, ZeroTimesAndErrorsAreSaidNotDrawn) {
   const auto root = test::page(htmlOf(r));
   EXPECT_EQ(root->all("svg", "plot")[0]->all("g", "mark").size(), 1u);
   EXPECT_THAT(root->text, HasSubstr("1 with a time or an error of 0 cannot be drawn"));
+}
+
+TEST(Extreme, NumbersOfAnySizeMakeAPage) {
+  const json whole = test::results();
+  for (const double extreme : {0.0, 1e-300, 1e-9, 1.0, 1e18}) {
+    for (const char* field : {"volumetrics_ms", "gpu_ms", "shadow_ms", "floor_bytes", "memory_bytes", "knob", "size"})
+      for (const std::size_t every : {1u, 2u}) {
+        json r = whole;
+        for (std::size_t i = 0; i < r["points"].size(); i += every) {
+          json& value = r["points"][i][field];
+          if (value.is_null()) continue;
+          if (std::string(field) == "knob")
+            value["value"] = extreme;
+          else if (std::string(field) == "size")
+            value = {std::min(1e9, std::ceil(extreme)), std::min(1e9, std::ceil(extreme))};
+          else if (value.is_object())
+            value = {{"median", extreme}, {"low", 0.5 * extreme}, {"high", extreme}};
+          else
+            value = extreme;
+        }
+        r["copy_gb_s"] = extreme == 1.0 ? 1e-300 : 10;
+        EXPECT_EQ(test::page(htmlOf(r))->name, "html") << field << " " << extreme;
+      }
+    json r = whole;
+    for (json& p : r["points"])
+      if (!p["error"].is_null())
+        for (const char* kind : {"nrmse", "p99", "maximum", "bias", "pixels"})
+          p["error"]["truth"]["all"][kind] = extreme;
+    for (json& l : r["levels"])
+      for (const char* kind : {"triangles", "lights", "truth_samples", "truth_self_nrmse"}) l[kind] = extreme;
+    EXPECT_EQ(test::page(htmlOf(r))->name, "html") << extreme;
+  }
+}
+
+TEST(Extreme, DamagedTextIsAPageOrAnError) {
+  const std::string whole = test::results().dump();
+  std::mt19937 random(4);
+  int pages = 0;
+  for (int round = 0; round < 500; ++round) {
+    std::string text = whole;
+    const int changes = 1 + round % 3;
+    for (int i = 0; i < changes; ++i) {
+      // Mostly bytes that JSON is made of, so that some damage stays valid.
+      const std::string bytes = "0123456789-eE.,:[]{}\"tfn \x01\xff";
+      text[random() % text.size()] = bytes[random() % bytes.size()];
+    }
+    if (round % 10 == 0) text.resize(random() % text.size());
+    const auto html = reportHtml(text);
+    if (html) {
+      ++pages;
+      EXPECT_EQ(test::page(*html)->name, "html") << text;
+    } else {
+      EXPECT_THAT(html.error().message, testing::StartsWith("benchmark results: "));
+      EXPECT_THAT(html.error().message, Not(HasSubstr("\n")));
+    }
+  }
+  EXPECT_GT(pages, 40);
 }
 
 /// Every text of the file, and every setting's id, becomes hostile; but who is brute force and who is ours stays known.

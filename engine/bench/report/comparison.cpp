@@ -64,8 +64,8 @@ std::string equalTables(const Context& context, const Points& points, Reference 
   const std::string note =
       std::string("Interpolated linearly in both logarithms along each series' own Pareto front; never extrapolated.") +
       (march.empty() ? "" : " Small: ratio to the plain march (the front of all its series) in the same column.") +
-      " † the series has no point so coarse: what its coarsest or slowest point gives is a bound, and no ratio is "
-      "formed.";
+      " † the whole series has less error (takes less time) than the column says: its coarsest (slowest) point is an "
+      "upper bound, and no ratio is formed.";
   const auto table = [&](const std::string& title, const std::vector<double>& columns, const std::string& head,
                          bool byError) {
     if (columns.empty()) return;

@@ -84,7 +84,7 @@ std::string pointsChapter(const Context& context) {
             .element("td", sizeText(p.width, p.height))
             .element("td", nameOf(p))
             .element("td", settingsText(p.settings))
-            .element("td", *p.failed)
+            .element("td", p.failed->empty() ? "no reason given" : *p.failed)
             .close();
     m.close().close().close();
   }

@@ -12,6 +12,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr double kLargest = 1e18;
+
 /// A place in the file. Missing and null are the same: nothing.
 class Field {
  public:
@@ -47,7 +49,8 @@ class Field {
   Number number() const {
     if (empty() || (!json_->is_number() && !wrong("a number"))) return {};
     const double value = json_->get<double>();
-    if (!std::isfinite(value)) return wrong("a finite number"), Number();
+    // Beyond any time, size or count; sums and ratios of what is left stay finite.
+    if (!(std::abs(value) <= kLargest)) return wrong("a number of at most 1e18"), Number();
     return value;
   }
 

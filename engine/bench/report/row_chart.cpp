@@ -1,6 +1,7 @@
 #include "row_chart.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "markup.hpp"
 
@@ -21,15 +22,17 @@ std::string shortened(const std::string& text, std::size_t count) {
   return text;
 }
 
+bool visible(const Segment& s) { return s.value > 0 && std::isfinite(s.value); }
+
 bool hasContent(const Row& row, Scale scale) {
-  return std::any_of(row.segments.begin(), row.segments.end(), [](const Segment& s) { return s.value > 0; }) ||
+  return std::any_of(row.segments.begin(), row.segments.end(), visible) ||
          std::any_of(row.dots.begin(), row.dots.end(), [&](const Dot& d) { return showable(scale, d.value); });
 }
 
 void bars(Markup& m, const Row& row, const AxisMap& x, double y) {
   double sum = 0;
   for (const Segment& s : row.segments) {
-    if (!(s.value > 0)) continue;
+    if (!visible(s)) continue;
     const double left = x.pixel(sum), right = x.pixel(sum + s.value);
     sum += s.value;
     m.open("g", {{"class", "part f" + std::to_string(s.fill % kFills)}}).element("title", s.tip);
@@ -66,7 +69,7 @@ std::string svg(const RowChart& chart) {
     if (!hasContent(row, chart.x.scale)) continue;
     rows.push_back(&row);
     double sum = 0;
-    for (const Segment& s : row.segments) sum += std::max(0.0, s.value);
+    for (const Segment& s : row.segments) sum += visible(s) ? s.value : 0;
     if (!row.segments.empty()) values.push_back(sum);
     for (const Dot& d : row.dots) values.push_back(d.value);
     longest = std::max(longest, shortened(row.label, kLongestLabel).size());

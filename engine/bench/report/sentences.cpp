@@ -42,7 +42,7 @@ std::string ends(const Side& a, const Side& b) {
   if (figure(lowA) == figure(lowB)) return "";
   const Side& finer = lowA < lowB ? a : b;
   const Side& other = lowA < lowB ? b : a;
-  return "Below nRMSE " + figure(other.curve.back().error) + " " + other.name + " is not reached; " + finer.name +
+  return other.name + " does not reach less than nRMSE " + figure(other.curve.back().error) + "; " + finer.name +
          " goes down to " + figure(finer.curve.back().error) + ", at " + figure(finer.curve.back().cost) + " ms.";
 }
 
