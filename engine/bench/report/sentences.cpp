@@ -46,6 +46,19 @@ std::string ends(const Side& a, const Side& b) {
          " goes down to " + figure(finer.curve.back().error) + ", at " + figure(finer.curve.back().cost) + " ms.";
 }
 
+/// For curves that share no error: one has less error throughout; does it cost less too?
+std::string apart(const Side& a, const Side& b) {
+  const Side& finer = a.curve.back().error < b.curve.back().error ? a : b;
+  const Side& coarser = &finer == &a ? b : a;
+  const double cheapest = finer.curve.front().cost;
+  const auto beaten =
+      std::count_if(coarser.curve.begin(), coarser.curve.end(), [&](const CostError& c) { return cheapest < c.cost; });
+  return "not reached, their errors do not overlap: every point of " + finer.name +
+         " has less error, and its cheapest (" + figure(cheapest) + " ms) takes less time than " +
+         std::to_string(beaten) + " of the " + std::to_string(coarser.curve.size()) + " on the front of " +
+         coarser.name;
+}
+
 /// Where ours is cheaper at equal error, where the other is, and what only one of them reaches.
 std::string duel(const Side& ours, const Side& other, double equal) {
   const auto stretches = compareAtEqualError(ours.curve, other.curve, equal);
@@ -59,7 +72,7 @@ std::string duel(const Side& ours, const Side& other, double equal) {
     else
       parts.push_back(at + " " + other.name + " is " + range(1 / s.greatestRatio, 1 / s.leastRatio) + " times as fast");
   }
-  std::string text = parts.empty() ? "not reached, their errors do not overlap" : "";
+  std::string text = parts.empty() ? apart(ours, other) : "";
   for (std::size_t i = 0; i < parts.size(); ++i) text += (i ? "; " : "") + parts[i];
   const std::string e = ends(ours, other);
   text += "." + (e.empty() ? "" : " " + e);
