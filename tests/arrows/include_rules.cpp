@@ -32,7 +32,7 @@ const std::vector<Library>& libraries() {
       {"libpng and libjpeg", {"png.h", "jpeglib.h", "turbojpeg.h"}, {"scene", "image"}, false},
       {"CLI11", {"CLI/"}, {"app", "editor", "levels"}, false},
       {"spdlog", {"spdlog/"}, {"base"}, false},
-      {"nlohmann_json", {"nlohmann/"}, {"app", "params", "scene", "gpu", "host", "editor", "levels"}, false},
+      {"nlohmann_json", {"nlohmann/"}, {"app", "params", "scene", "gpu", "host", "editor", "levels", "bench"}, false},
       {"Vulkan", {"vulkan/", "volk.h"}, {"gpu", "render", "host", "app", "editor"}},
       {"glslang and SPIR-V tools", {"glslang/", "SPIRV/", "spirv-tools/", "spirv_cross", "spirv/"}, {"gpu", "host"}},
   };

@@ -17,6 +17,7 @@ const std::map<std::string, std::vector<std::string>>& arrows() {
       {"host", {"render", "params", "abi", "shared"}},
       {"truth", {"scene", "base"}},
       {"app", {"host", "render", "params", "gpu", "scene", "truth", "image", "base"}},
+      {"bench", {"app", "host", "render", "params", "gpu", "scene", "truth", "image", "base"}},
       {"editor", {"app", "shared"}},
       {"levels", {"scene", "base", "image"}},
       {"abi", {}},
@@ -43,7 +44,7 @@ std::string folder(const std::string& path, std::size_t depth) {
 }  // namespace
 
 const std::vector<std::string>& engineRooms() {
-  static const std::vector<std::string> rooms = {"base", "image", "params", "gpu", "scene", "render", "host", "truth", "app"};
+  static const std::vector<std::string> rooms = {"base", "image", "params", "gpu", "scene", "render", "host", "truth", "app", "bench"};
   return rooms;
 }
 
