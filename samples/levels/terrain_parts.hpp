@@ -1,0 +1,29 @@
+// The dale's parts; terrain.cpp puts them together.
+#pragma once
+
+#include "level_builder.hpp"
+#include "levels/terrain_plan.hpp"
+#include "random.hpp"
+
+namespace tyndall::levels::terrain {
+
+struct Materials {
+  std::int32_t ground, rock, ashlar, dressed, plaster, planks, bark, canvas, leaves, needles, grass;
+};
+
+inline constexpr float kHeathTile = 5.0f;
+
+glm::vec3 onGround(float x, float z);
+glm::vec3 groundNormal(float x, float z);
+/// Towards the sun.
+glm::vec3 toSun();
+
+void addGround(LevelBuilder& level, const Materials& m);
+/// Trees, bushes, grass and rocks.
+void addCover(LevelBuilder& level, const Materials& m);
+/// Two tiers of arches, broken in places, that fill the ridge's gap.
+void addAqueduct(LevelBuilder& level, const Materials& m);
+/// A windmill on the ridge: its sails are the moving caster.
+void addWindmill(LevelBuilder& level, const Materials& m);
+
+}  // namespace tyndall::levels::terrain
