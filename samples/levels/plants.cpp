@@ -19,13 +19,14 @@ std::int32_t foliage(LevelBuilder& level, const std::string& name, std::int32_t 
   return level.material(m);
 }
 
-void grassTuft(MeshBuilder& b, Random& random, const glm::vec3& at, const glm::vec3& normal, float size) {
+void grassTuft(MeshBuilder& b, Random& random, const glm::vec3& at, const glm::vec3& normal, float size,
+               const glm::vec2& uvMax) {
   const float turn = random.range(0, glm::pi<float>());
   for (int i = 0; i < 3; ++i) {
     const float angle = turn + glm::pi<float>() * real(i) / 3.0f;
     const glm::vec3 right{glm::cos(angle) * size, 0, glm::sin(angle) * size};
     const glm::vec3 up = glm::vec3(random.range(-0.2f, 0.2f), 1.0f, random.range(-0.2f, 0.2f)) * (0.9f * size);
-    card(b, at - 0.04f * normal, right, up, normal, {0.0f, 0.0f}, {0.5f, 1.0f});
+    card(b, at - 0.04f * normal, right, up, normal, {0.0f, 0.0f}, uvMax);
   }
 }
 

@@ -8,7 +8,7 @@ namespace tyndall::levels::terrain {
 namespace {
 
 constexpr glm::ivec2 kNoPeriod{4096, 4096};
-constexpr int kCells = 180;  // a side
+constexpr int kCells = 156;  // a side
 
 /// Ridged multifractal (Musgrave, in Ebert et al. 2003, "Texturing and Modeling", ch. 16): sharp crests, and detail on
 /// crests only, which is what water leaves of mountains. In [0, 1].
@@ -28,10 +28,6 @@ float ridge(float x, float z) {
   const float off = x - kRidgeX - 5.0f * glm::sin(0.035f * z + 0.6f);
   const float width = off < 0 ? 19.0f : 32.0f, t = glm::clamp(1.0f - glm::abs(off) / width, 0.0f, 1.0f);
   return t * t * (3.0f - 2.0f * t);
-}
-
-float trackDistance(float x, float z) {
-  return glm::abs(x + 7.0f - 7.0f * glm::sin(0.045f * z + 0.4f) - 2.0f * glm::sin(0.13f * z));
 }
 
 /// Dry grass, greener in the valley; bare rock where it is steep; a trodden track.
@@ -69,6 +65,10 @@ float groundY(float x, float z) {
       2.4f * glm::max(ridge(x, z) * gap, glm::smoothstep(60.0f, 100.0f, far)) * (crests(bent * 0.11f, 3, 81) - 0.4f);
   return before + behind + rim + bumps + broken;
 }
+
+float trackX(float z) { return -7.0f + 7.0f * glm::sin(0.045f * z + 0.4f) + 2.0f * glm::sin(0.13f * z); }
+
+float trackDistance(float x, float z) { return glm::abs(x - trackX(z)); }
 
 glm::vec3 onGround(float x, float z) { return {x, groundY(x, z), z}; }
 
