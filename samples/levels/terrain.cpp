@@ -45,8 +45,8 @@ void addCameras(LevelBuilder& level) {
   const auto above = [](float x, float z, float height) { return onGround(x, z) + glm::vec3(0, height, 0); };
   const auto eye = [&](int camera, float height) { return above(kEyes[camera].x, kEyes[camera].y, height); };
   level.camera("0 vista, shafts across", eye(0, 3.0f), {9.0f, 6.4f, -7.0f}, 60, kFar);
-  const glm::vec3 high = glm::vec3(kEyes[1].x, 5.4f, kEyes[1].y);  // in the shadow of a pier: beams on all sides
-  level.camera("1 away from the sun", high, high - 40.0f * toSun() + glm::vec3(0, 4, 0), 66, kFar);
+  const glm::vec3 high = glm::vec3(kEyes[1].x, 8.0f, kEyes[1].y);  // in the shadow of a pier: beams on all sides
+  level.camera("1 away from the sun", high, high - 40.0f * toSun() + glm::vec3(0, 3.0f, 0), 50, kFar);
   level.camera("2 valley, the ridge against the light", eye(2, 1.7f), {16.5f, 9.5f, -42.0f}, 62, kFar);
   const std::int32_t tour = level.camera("3 tour", {0, 2, 8}, {0, 2, 0}, 60, kFar);
   level.animateTour(tour,

@@ -28,7 +28,7 @@ void addTrees(LevelBuilder& level, const Materials& m) {
       {10.0f, -26.0f, 1, 0.6f},  {-26.0f, 22.0f, 0, 0.8f},  {-30.0f, 3.0f, 0, 0.85f}, {-17.0f, -6.0f, 0, 0.55f},
       {-38.0f, -12.0f, 2, 0.8f}, {-41.0f, -8.0f, 2, 0.65f}, {-33.0f, 14.0f, 2, 0.7f}, {-12.0f, 25.0f, 0, 0.75f}};
   for (const auto& [x, z, kind, scale] : chosen) put(x, z, kind, scale);
-  for (int i = 0, count = 0; i < 900 && count < 44; ++i) {
+  for (int i = 0, count = 0; i < 900 && count < 28; ++i) {
     const float x = random.range(-110.0f, 95.0f), z = random.range(-120.0f, 120.0f);
     const bool inTheGap = glm::abs(z) < 36.0f && x > -44.0f && x < 60.0f;
     if (inTheGap || valueNoise(glm::vec2(x, z) * 0.05f + 300.0f, {4096, 4096}, 7) < 0.52f) continue;
@@ -55,13 +55,13 @@ void addGrass(LevelBuilder& level, const Materials& m) {
   };
   // Dense where a camera stands, sparse elsewhere.
   for (const glm::vec2& eye : kEyes) {
-    for (int i = 0; i < 2200; ++i) {
+    for (int i = 0; i < 1600; ++i) {
       const float far = 1.0f + 18.0f * random.unit(), angle = random.range(0, 2.0f * glm::pi<float>());
       const float x = eye.x + far * glm::cos(angle), z = eye.y + far * glm::sin(angle);
       if (grows(x, z, 0.40f)) put(x, z, random.range(0.28f, 0.55f));
     }
   }
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 2400; ++i) {
     const float x = random.range(-48.0f, 26.0f), z = random.range(-48.0f, 56.0f);
     if (grows(x, z, 0.52f)) put(x, z, random.range(0.45f, 0.8f));
   }
@@ -106,7 +106,7 @@ void addRocks(LevelBuilder& level, const Materials& m) {
   // A tor on the crest, and boulders that rolled down.
   put(-6.5f, 29.5f, 1.0f), put(26, 38, 3.4f), put(23, 41, 2.6f), put(29, -36, 3.0f), put(25.5f, 40.0f, 2.2f),
       put(26, -33.5f, 2.0f);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 36; ++i) {
     const float z = random.range(-60.0f, 60.0f), x = random.range(-60.0f, 22.0f);
     if (glm::abs(x + 7.0f) < 10.0f) continue;
     put(x, z, random.range(0.25f, 1.3f));

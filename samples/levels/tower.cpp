@@ -34,6 +34,7 @@ Materials addMaterials(LevelBuilder& level) {
   m.tufts = foliage(level, "grass", cutout(forest::undergrowth()), {1, 1, 1});
   m.iron = level.plain("iron", {0.06f, 0.06f, 0.065f}, 0.5f, 0.5f);
   m.bronze = level.plain("bronze", {0.45f, 0.33f, 0.18f}, 0.4f, 1.0f);
+  m.gold = level.plain("gilding", {0.85f, 0.62f, 0.25f}, 0.35f, 1.0f);
   m.canvas = level.plain("canvas", {0.55f, 0.50f, 0.42f}, 0.95f);
   scene::Material glow;
   glow.name = "lit windows";
@@ -50,7 +51,7 @@ glm::vec3 below(const glm::vec3& point, float height) { return point - toSun() *
 void addCameras(LevelBuilder& level) {
   level.camera("0 the sun just behind the tower", below({-1.3f, 8.6f, 0}, 1.7f), {-0.9f, 7.4f, 0}, 68, kFar);
   level.camera("1 the sun in the belfry", below({0.5f, 12.6f, 0}, 1.7f), {0.0f, 8.6f, 0}, 58, kFar);
-  level.camera("2 beside it, from below", {11.2f, 1.7f, 8.8f}, {-2.4f, 8.6f, -2.0f}, 66, kFar);
+  level.camera("2 beside it, from below", {10.2f, 1.7f, 6.2f}, {-1.6f, 9.4f, -2.6f}, 70, kFar);
   const std::int32_t tour = level.camera("3 tour, the sun passes behind the tower", {0, 2, 8}, {0, 2, 0}, 60, kFar);
   level.animateTour(tour,
                     {{{-6.5f, 2.2f, 22.0f}, {-1.0f, 8.0f, 0}},
@@ -66,7 +67,7 @@ void addCameras(LevelBuilder& level) {
 
 scene::Scene makeTower() {
   LevelBuilder level("tower");
-  level.sun(toSun(), {1.0f, 0.72f, 0.45f}, 6.0f);
+  level.sun(toSun(), {1.0f, 0.66f, 0.37f}, 5.0f);
   addCameras(level);
   const Materials m = addMaterials(level);
   addTower(level, m);

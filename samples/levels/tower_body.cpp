@@ -57,6 +57,36 @@ void portal(MeshBuilder& stone, MeshBuilder& wood, MeshBuilder& iron) {
                {1.9f + 0.3f * real(i), 0.12f - 0.13f * real(i), 0.9f + 0.4f * real(i)}, 0.03f);
 }
 
+/// A recess with louvres in a wall at z = 0.
+void blindWindow(MeshBuilder& trim, MeshBuilder& wood) {
+  std::vector<glm::vec3> path;
+  for (const glm::vec3& p : pointedArch(0.5f, 6.6f, 8.0f, 6)) path.emplace_back(p.x, p.z, 0.0f);
+  path.insert(path.begin(), {path.front().x, 6.6f, 0.0f}), path.emplace_back(path.back().x, 6.6f, 0.0f);
+  bar(trim, path, {0, 0, 1}, 0.2f, 0.3f);
+  for (int i = 0; i < 9; ++i)
+    beam(wood, {-0.42f, 6.7f + 0.17f * real(i), 0.05f}, {0.42f, 6.7f + 0.17f * real(i), 0.05f}, 0.14f, 0.03f, 0.0f,
+         {0, 1, 0.7f});
+}
+
+/// A clock with its hands at twenty to five, flat on a wall at z = 0.
+void clock(MeshBuilder& dial, MeshBuilder& gold) {
+  const glm::vec3 middle{0, 8.1f, 0.1f};
+  std::vector<glm::vec3> disc = ringPath(1.0f, {middle.x, middle.y}, 24, 0.1f);
+  std::vector<glm::vec2> uv;
+  for (const glm::vec3& p : disc) uv.emplace_back(p.x, -p.y);
+  dial.flatPolygon(disc, uv);
+  for (const float radius : {1.0f, 0.66f})
+    bar(gold, ringPath(radius, {middle.x, middle.y}, 28, 0.1f), {0, 0, 1}, radius == 1.0f ? 0.12f : 0.03f, 0.1f, true);
+  const auto ray = [&](float hours, float from, float to, float width) {
+    const float angle = hours * glm::pi<float>() / 6.0f;
+    const glm::vec3 out{glm::sin(angle), glm::cos(angle), 0};
+    bar(gold, {middle + from * out + glm::vec3(0, 0, 0.03f), middle + to * out + glm::vec3(0, 0, 0.03f)}, {0, 0, 1},
+        width, 0.05f);
+  };
+  for (int hour = 0; hour < 12; ++hour) ray(real(hour), 0.70f, 0.90f, hour % 3 == 0 ? 0.1f : 0.06f);
+  ray(4.67f, -0.12f, 0.5f, 0.08f), ray(8.0f, -0.15f, 0.82f, 0.05f);
+}
+
 void weathercock(MeshBuilder& iron) {
   tube(iron, {{0, kSpire - 0.4f, 0}, {0, kSpire + 1.9f, 0}}, {0.07f, 0.04f}, 8, true);
   lathe(iron, {{0.02f, kSpire - 0.05f}, {0.22f, kSpire + 0.12f}, {0.22f, kSpire + 0.24f}, {0.02f, kSpire + 0.4f}}, 12);
@@ -66,7 +96,7 @@ void weathercock(MeshBuilder& iron) {
 }  // namespace
 
 void addTower(LevelBuilder& level, const Materials& m) {
-  MeshBuilder face, trim, wood, iron, slate;
+  MeshBuilder face, trim, wood, iron, gold, slate;
   chamferBox(face, {-kHalf, -1.0f, -kHalf}, {kHalf, kBelfry, kHalf}, 0.0f, Mapping::kUpright);
   chamferBox(trim, {-kHalf - 0.22f, -1.0f, -kHalf - 0.22f}, {kHalf + 0.22f, 0.7f, kHalf + 0.22f}, 0.1f,
              Mapping::kUpright);
@@ -82,20 +112,18 @@ void addTower(LevelBuilder& level, const Materials& m) {
       buttress(trim);
     }
     trim.frame = turn * placed({0, 0, kHalf});
-    // Blind windows, and the parapet above the cornice.
-    std::vector<glm::vec3> path;
-    for (const glm::vec3& p : pointedArch(0.5f, 6.6f, 8.0f, 6)) path.emplace_back(p.x, p.z, 0.0f);
-    path.insert(path.begin(), {path.front().x, 6.6f, 0.0f}), path.emplace_back(path.back().x, 6.6f, 0.0f);
-    bar(trim, path, {0, 0, 1}, 0.2f, 0.3f);
-    for (int i = 0; i < 9; ++i)
-      beam(wood, {-0.42f, 6.7f + 0.17f * real(i), 0.05f}, {0.42f, 6.7f + 0.17f * real(i), 0.05f}, 0.14f, 0.03f, 0.0f,
-           {0, 1, 0.7f});
+    if (side == 0) {
+      iron.frame = gold.frame = turn * placed({0, 0, kHalf});
+      portal(trim, wood, iron);
+      clock(iron, gold);
+    } else {
+      blindWindow(trim, wood);
+    }
     for (int i = -2; i <= 2; ++i) {
       const float x = 0.95f * real(i);
       chamferBox(trim, {x - 0.28f, 16.0f, -0.12f}, {x + 0.28f, 16.9f, 0.2f}, 0.04f, Mapping::kUpright);
     }
     chamferBox(trim, {-kHalf, 16.0f, -0.1f}, {kHalf, 16.45f, 0.18f}, 0.03f, Mapping::kUpright);
-    if (side == 0) portal(trim, wood, iron);
     trim.frame = turn * placed({kHalf, 0, kHalf});
     pinnacle(trim);
   }
@@ -104,7 +132,8 @@ void addTower(LevelBuilder& level, const Materials& m) {
   pyramid(slate, 2.45f, 16.1f, kSpire, 8);
   weathercock(iron);
   level.single("tower", {face.finish(m.ashlar, hall::kAshlarTile), trim.finish(m.dressed, hall::kPillarTile),
-                         wood.finish(m.planks, 2.0f), iron.finish(m.iron), slate.finish(m.slates, kSlateTile)});
+                         wood.finish(m.planks, 2.0f), iron.finish(m.iron), gold.finish(m.gold),
+                         slate.finish(m.slates, kSlateTile)});
 }
 
 void addChurch(LevelBuilder& level, const Materials& m) {

@@ -9,7 +9,7 @@ namespace tyndall::levels::tower {
 
 struct Materials {
   std::int32_t ashlar, dressed, slates, plaster, timber, planks, paving, grass, bark, leaves, tufts, iron, bronze, glow,
-      canvas;
+      gold, canvas;
 };
 
 inline constexpr float kSlateTile = 2.0f, kPlasterTile = 3.0f;

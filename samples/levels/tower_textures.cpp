@@ -36,14 +36,14 @@ Surface plaster() {
         const float coarse = fbm(uv * 4.0f, ivec2(4), 5, 411), fine = fbm(uv * 80.0f, ivec2(80), 3, 412);
         const float damp = glm::smoothstep(0.50f, 0.72f, fbm(uv * vec2(6, 3), ivec2(6, 3), 4, 413));
         const float crack = 1.0f - glm::smoothstep(0.0f, 0.018f, glm::abs(fbm(uv * 5.0f, ivec2(5), 5, 414) - 0.5f));
-        const float off = glm::smoothstep(0.66f, 0.69f, fbm(uv * 6.0f, ivec2(6), 5, 415));  // fallen: the bricks show
+        const float off = glm::smoothstep(0.70f, 0.73f, fbm(uv * 6.0f, ivec2(6), 5, 415));  // fallen: the bricks show
         const vec2 brick = glm::fract(uv * vec2(12, 36) + vec2(0.5f * glm::floor(uv.y * 36.0f), 0));
         const float joint = brick.x < 0.06f || brick.y < 0.14f ? 0.0f : 1.0f;
         Texel t;
         t.color = vec3(0.78f, 0.72f, 0.61f) * (0.80f + 0.22f * coarse + 0.12f * (fine - 0.5f)) * (1.0f - 0.30f * damp) *
                   (1.0f - 0.35f * crack);
         t.color = glm::mix(
-            t.color, glm::mix(vec3(0.60f, 0.56f, 0.50f), vec3(0.55f, 0.32f, 0.24f), joint) * (0.8f + 0.4f * fine), off);
+            t.color, glm::mix(vec3(0.60f, 0.56f, 0.50f), vec3(0.56f, 0.42f, 0.34f), joint) * (0.8f + 0.4f * fine), off);
         t.height = 1.4f * coarse + 0.8f * fine - 1.2f * crack - off * (2.5f - joint);
         t.roughness = 0.9f;
         return t;
