@@ -60,10 +60,12 @@ float groundY(float x, float z) {
   const float behind = 15.0f * glm::smoothstep(-38.0f, -80.0f, x + 6.0f * glm::sin(0.05f * z)) *
                        (0.6f + 0.8f * crests(bent * 0.02f, 4, 41));
   const float rim = 62.0f * glm::smoothstep(75.0f, 190.0f, far) * (0.35f + crests(bent * 0.011f, 6, 51));
+  // The mountains stand back before the sun, or their shadow would fill the arches.
+  const float pass = glm::smoothstep(0.55f, 0.97f, glm::dot(p, glm::vec2(toSun().x, toSun().z)) / (far + 1.0f));
   const float bumps = 0.7f * (fbm(p * 0.16f + 300.0f, kNoPeriod, 3, 71) - 0.5f);
   const float broken =
       2.4f * glm::max(ridge(x, z) * gap, glm::smoothstep(60.0f, 100.0f, far)) * (crests(bent * 0.11f, 3, 81) - 0.4f);
-  return before + behind + rim + bumps + broken;
+  return before + behind + rim * (1.0f - 0.8f * pass) + bumps + broken;
 }
 
 float trackX(float z) { return -7.0f + 7.0f * glm::sin(0.045f * z + 0.4f) + 2.0f * glm::sin(0.13f * z); }

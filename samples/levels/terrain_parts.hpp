@@ -13,7 +13,7 @@ struct Materials {
 
 inline constexpr float kHeathTile = 4.0f;
 /// Where the cameras stand, x and z: the vista, away from the sun, in the valley.
-inline constexpr glm::vec2 kEyes[] = {{-10.0f, 36.0f}, {22.5f, 3.5f}, {-6.0f, -3.0f}};
+inline constexpr glm::vec2 kEyes[] = {{-10.0f, 36.0f}, {22.5f, 3.5f}, {4.5f, -3.0f}};
 
 glm::vec3 onGround(float x, float z);
 glm::vec3 groundNormal(float x, float z);

@@ -26,8 +26,8 @@ TEST(Terrain, HasGroundEverywhereWhereItsPlanSays) {
     const glm::vec3 above = random.inside({-reach, 300, -reach}, {reach, 301, reach});
     const std::optional<float> drop = nearest(ground, above, {0, -1, 0});
     ASSERT_TRUE(drop) << above.x << ' ' << above.z;
-    if (reach == 30.0f)
-      EXPECT_NEAR(above.y - *drop, terrain::groundY(above.x, above.z), 0.4f) << above.x << ' ' << above.z;
+    if (i % 2 == 0) continue;
+    EXPECT_NEAR(above.y - *drop, terrain::groundY(above.x, above.z), 0.4f) << above.x << ' ' << above.z;
   }
 }
 
@@ -76,8 +76,8 @@ TEST(Tower, IsSolidBelowTheBelfryAndOpenThere) {
   for (int i = 0; i < 1000; ++i) {
     open += stopped(random.inside({-kOpeningHalf, 12.2f, 0}, {kOpeningHalf, 13.4f, 0})) ? 0 : 1;
   }
-  EXPECT_GT(open, 250);  // what trestle, mullion, tracery and balustrades leave
-  EXPECT_LT(open, 900);  // openwork, not a hole
+  EXPECT_GT(open, 100);  // what trestle, mullion, tracery and balustrades leave
+  EXPECT_LT(open, 600);  // openwork, not a hole
 }
 
 }  // namespace
