@@ -47,7 +47,7 @@ void addCameras(LevelBuilder& level) {
   level.camera("0 vista, shafts across", eye(0, 3.0f), {9.0f, 6.4f, -7.0f}, 60, kFar);
   const glm::vec3 high = glm::vec3(kEyes[1].x, 5.6f, kEyes[1].y);  // in the shadow of a pier: beams on all sides
   level.camera("1 away from the sun", high, high - 40.0f * toSun() + glm::vec3(0, 6.5f, 0), 64, kFar);
-  level.camera("2 valley, the ridge against the light", eye(2, 2.2f), {25.0f, 9.4f, -31.0f}, 62, kFar);
+  level.camera("2 valley, the ridge against the light", eye(2, 2.2f), {21.5f, 8.8f, -32.5f}, 62, kFar);
   const std::int32_t tour = level.camera("3 tour", {0, 2, 8}, {0, 2, 0}, 60, kFar);
   level.animateTour(tour,
                     {{above(-20, 40, 5), {10, 6, 0}},
@@ -63,7 +63,7 @@ void addCameras(LevelBuilder& level) {
 
 scene::Scene makeTerrain() {
   LevelBuilder level("terrain");
-  level.sun(toSun(), {1.0f, 0.67f, 0.39f}, 10.0f);
+  level.sun(toSun(), {1.0f, 0.66f, 0.38f}, 8.5f);
   addCameras(level);
   const Materials m = addMaterials(level);
   addGround(level, m);

@@ -8,7 +8,7 @@ namespace tyndall::levels::terrain {
 namespace {
 
 constexpr glm::ivec2 kNoPeriod{4096, 4096};
-constexpr int kCells = 136;  // a side
+constexpr int kCells = 134;  // a side
 
 /// Ridged multifractal (Musgrave, in Ebert et al. 2003, "Texturing and Modeling", ch. 16): sharp crests, and detail on
 /// crests only, which is what water leaves of mountains. In [0, 1].
