@@ -136,6 +136,10 @@ TEST(Cameras, OfTheTowerHaveTheSunBehindIt) {
   const std::vector<Triangle> all = trianglesOf(tower.scene), solid = trianglesOf(tower.scene, 0, ofTheTower),
                               openwork = trianglesOf(tower.scene, 0, ofTheBelfry);
   for (const int camera : {0, 1}) EXPECT_TRUE(Views::inside(tower.onScreen(camera, 1)));
+  const glm::vec3 beside = tower.onScreen(2, 1);
+  EXPECT_GT(beside.z, 0);
+  EXPECT_GT(beside.x, 1.0f);
+  EXPECT_LT(beside.x, 1.4f);
   EXPECT_TRUE(blocked(solid, tower.eye(0), tower.toSun));
   EXPECT_FALSE(blocked(all, tower.eye(1), tower.toSun));
   const glm::vec3 eye = tower.eye(1);
