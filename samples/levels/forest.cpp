@@ -1,6 +1,7 @@
 #include "forest_parts.hpp"
 #include "forest_textures.hpp"
 #include "levels/levels.hpp"
+#include "plants.hpp"
 
 namespace tyndall::levels {
 namespace {
@@ -9,19 +10,6 @@ using namespace forest;
 
 constexpr float kFar = 160.0f;                               // metres: across the terrain with room above the trees
 constexpr float kSunElevation = 27.0f, kSunAzimuth = 37.0f;  // degrees; azimuth from +x towards -z
-
-std::int32_t foliage(LevelBuilder& level, const std::string& name, std::int32_t texture, const glm::vec3& tint) {
-  scene::Material m;
-  m.name = name;
-  m.baseColor = glm::vec4(tint, 1);
-  m.metallic = 0;
-  m.roughness = 0.9f;  // bent normals would make grazing light glitter on anything smoother
-  m.alphaMode = scene::AlphaMode::kMask;
-  m.alphaCutoff = 0.5f;
-  m.doubleSided = true;
-  m.baseColorTexture.texture = texture;
-  return level.material(m);
-}
 
 Materials addMaterials(LevelBuilder& level) {
   Materials m{};

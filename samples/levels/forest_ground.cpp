@@ -5,6 +5,7 @@
 #include "forest_parts.hpp"
 #include "forest_textures.hpp"
 #include "noise.hpp"
+#include "plants.hpp"
 #include "shapes.hpp"
 
 namespace tyndall::levels::forest {
@@ -27,53 +28,6 @@ glm::vec3 groundTint(float x, float z) {
   const float wet = 1.0f - glm::smoothstep(0.9f, 1.9f, creekDistance(x, z));
   const glm::vec3 dry = glm::mix(glm::vec3(1.0f, 0.92f, 0.82f), glm::vec3(0.86f, 1.08f, 0.72f), open);
   return dry * glm::mix(1.0f, 0.42f, wet);
-}
-
-void grassTuft(MeshBuilder& b, Random& random, const glm::vec3& at, float size) {
-  const glm::vec3 normal = groundNormal(at.x, at.z);
-  const float turn = random.range(0, glm::pi<float>());
-  for (int i = 0; i < 3; ++i) {
-    const float angle = turn + glm::pi<float>() * real(i) / 3.0f;
-    const glm::vec3 right{glm::cos(angle) * size, 0, glm::sin(angle) * size};
-    const glm::vec3 up = glm::vec3(random.range(-0.2f, 0.2f), 1.0f, random.range(-0.2f, 0.2f)) * (0.9f * size);
-    card(b, at - 0.04f * normal, right, up, normal, {0.0f, 0.0f}, {0.5f, 1.0f});
-  }
-}
-
-/// Fronds in a funnel, each bent once.
-void fern(MeshBuilder& b, Random& random, const glm::vec3& at, float size) {
-  const int fronds = 6 + random.below(3);
-  const float turn = random.range(0, 6);
-  for (int i = 0; i < fronds; ++i) {
-    const float angle = turn + 2.0f * glm::pi<float>() * (real(i) + random.range(-0.2f, 0.2f)) / real(fronds);
-    const glm::vec3 out{glm::cos(angle), 0, glm::sin(angle)}, right = glm::vec3(-out.z, 0, out.x) * (0.55f * size);
-    const glm::vec3 rise = (out * 0.45f + glm::vec3(0, 0.62f, 0)) * (0.55f * size),
-                    droop = (out * 0.75f + glm::vec3(0, random.range(-0.2f, 0.1f), 0)) * (0.55f * size);
-    card(b, at, right, rise,
-         glm::normalize(glm::cross(right, rise) * glm::sign(glm::cross(right, rise).y) + glm::vec3(0, 0.2f, 0)),
-         {0.5f, 0.5f}, {1, 1});
-    card(b, at + rise, right, droop, glm::normalize(glm::cross(right, droop) * glm::sign(glm::cross(right, droop).y)),
-         {0.5f, 0}, {1, 0.5f});
-  }
-}
-
-std::int32_t bushMesh(LevelBuilder& level, const Materials& m, int seed) {
-  MeshBuilder wood, leaves;
-  Random random(static_cast<std::uint64_t>(seed));
-  for (int i = 0; i < 9; ++i) {
-    const glm::vec3 out = glm::normalize(random.direction() * glm::vec3(1, 0.25f, 1) + glm::vec3(0, 0.55f, 0));
-    const float length = random.range(0.7f, 1.15f);
-    tube(wood, {{0, -0.1f, 0}, out * (0.5f * length), out * length + glm::vec3(0, 0.1f, 0)}, {0.03f, 0.02f, 0.006f}, 4);
-    for (int k = 0; k < 7; ++k) {
-      const glm::vec3 at = out * (length * random.range(0.35f, 1.0f)) + random.direction() * 0.15f;
-      const glm::vec3 up = glm::normalize(out + 0.8f * random.direction() + glm::vec3(0, 0.3f, 0)),
-                      right = glm::normalize(glm::cross(up, random.direction()));
-      leaves.color = glm::vec4(glm::vec3(random.range(0.7f, 1.05f)), 1);
-      const float size = random.range(0.42f, 0.6f);
-      card(leaves, at, right * size, up * size, glm::normalize(at + glm::vec3(0, 0.3f, 0)));
-    }
-  }
-  return level.mesh("bush", {wood.finish(m.bark, kBarkTile), leaves.finish(m.leaves)});
 }
 
 }  // namespace
@@ -138,7 +92,7 @@ void addUndergrowth(LevelBuilder& level, const Materials& m, const std::vector<P
     if (thick < 0.22f || !isFree(p, 0.0f)) continue;
     MeshBuilder& b = builderAt(p);
     b.color = glm::vec4(glm::vec3(random.range(0.65f, 1.1f)), 1);
-    grassTuft(b, random, onGround(p.x, p.y), random.range(0.35f, 0.6f));
+    grassTuft(b, random, onGround(p.x, p.y), groundNormal(p.x, p.y), random.range(0.35f, 0.6f));
   }
   for (int i = 0; i < 420; ++i) {
     const glm::vec2 p = within(27.0f);
@@ -149,7 +103,8 @@ void addUndergrowth(LevelBuilder& level, const Materials& m, const std::vector<P
   }
   for (const MeshBuilder& b : quarter) level.single("undergrowth", {b.finish(m.undergrowth)});
 
-  const std::int32_t bushes[] = {bushMesh(level, m, 31), bushMesh(level, m, 32)};
+  const Coat bark{m.bark, kBarkTile};
+  const std::int32_t bushes[] = {bushMesh(level, bark, m.leaves, 31), bushMesh(level, bark, m.leaves, 32)};
   for (int i = 0, placed = 0; i < 400 && placed < 34; ++i) {
     const glm::vec2 p = within(30.0f);
     if (glm::length(p) < 8.5f || !isFree(p, 0.8f)) continue;

@@ -36,6 +36,15 @@ Outline pointedArch(float halfWidth, float sill, float spring, int steps) {
   return outline;
 }
 
+Outline roundArch(float halfWidth, float sill, float spring, int steps) {
+  Outline outline;
+  for (int i = -steps; i <= steps; ++i) {
+    const float angle = glm::half_pi<float>() * real(i) / real(steps);
+    outline.emplace_back(halfWidth * glm::sin(angle), sill, spring + halfWidth * glm::cos(angle));
+  }
+  return outline;
+}
+
 Outline circle(float radius, float centreY, int steps) {
   Outline outline;
   for (int i = -steps; i <= steps; ++i) {

@@ -13,6 +13,8 @@ using Outline = std::vector<glm::vec3>;
 /// A pointed (equilateral) arch above jambs: both arcs have the opening's width as radius (so its rise is sqrt(3)
 /// times half the width). `steps` per side.
 Outline pointedArch(float halfWidth, float sill, float spring, int steps);
+/// A half circle above jambs.
+Outline roundArch(float halfWidth, float sill, float spring, int steps);
 Outline circle(float radius, float centreY, int steps);
 
 struct WallShape {

@@ -67,6 +67,8 @@ void expectCamerasSeeGeometry(const Views& views, float least) {
 
 TEST(Cameras, OfTheHallSeeGeometry) { expectCamerasSeeGeometry(Views(makeHall()), 0.85f); }
 TEST(Cameras, OfTheForestSeeGeometry) { expectCamerasSeeGeometry(Views(makeForest()), 0.6f); }
+TEST(Cameras, OfTheTerrainSeeGeometry) { expectCamerasSeeGeometry(Views(makeTerrain()), 0.55f); }
+TEST(Cameras, OfTheTowerSeeGeometry) { expectCamerasSeeGeometry(Views(makeTower()), 0.45f); }
 
 TEST(Cameras, OfTheVaultSeeItsWalls) { expectCamerasSeeGeometry(Views(makeVault()), 1.0f); }
 TEST(Cameras, OfTheCageSeeItsWalls) { expectCamerasSeeGeometry(Views(makeCage()), 1.0f); }
@@ -112,6 +114,60 @@ TEST(Cameras, TryTheEpipoleEverywhere) {
   // The sun of the forest's camera 1 stands behind leaves.
   const std::vector<Triangle> triangles = trianglesOf(forest.scene);
   EXPECT_TRUE(blocked(triangles, forest.eye(1), forest.toSun));
+}
+
+TEST(Cameras, OfTheTerrainHaveTheSunAheadAndBehind) {
+  const Views terrain(makeTerrain());
+  EXPECT_FALSE(Views::inside(terrain.onScreen(0, 1)));
+  const glm::vec3 sun = terrain.onScreen(2, 1);  // right of the middle, behind the aqueduct
+  EXPECT_TRUE(Views::inside(sun));
+  EXPECT_GT(sun.x, 0.4f);
+  EXPECT_TRUE(Views::inside(terrain.onScreen(1, -1)));
+  // Where camera 1 looks, shadows converge: it stands in one itself.
+  EXPECT_TRUE(blocked(trianglesOf(terrain.scene), terrain.eye(1), terrain.toSun));
+}
+
+/// Camera 0 has the sun behind the tower's solid part, camera 1 sees it through the belfry; the tour passes from light
+/// to shadow and back.
+TEST(Cameras, OfTheTowerHaveTheSunBehindIt) {
+  const Views tower(makeTower());
+  const auto ofTheTower = [](const scene::Node& node) { return node.name == "tower"; };
+  const auto ofTheBelfry = [](const scene::Node& node) { return node.name == "belfry" || node.name == "bell"; };
+  const std::vector<Triangle> all = trianglesOf(tower.scene), solid = trianglesOf(tower.scene, 0, ofTheTower),
+                              openwork = trianglesOf(tower.scene, 0, ofTheBelfry);
+  for (const int camera : {0, 1}) EXPECT_TRUE(Views::inside(tower.onScreen(camera, 1)));
+  const glm::vec3 beside = tower.onScreen(2, 1);
+  EXPECT_GT(beside.z, 0);
+  EXPECT_GT(beside.x, 1.0f);
+  EXPECT_LT(beside.x, 1.4f);
+  EXPECT_TRUE(blocked(solid, tower.eye(0), tower.toSun));
+  EXPECT_FALSE(blocked(all, tower.eye(1), tower.toSun));
+  const glm::vec3 eye = tower.eye(1);
+  const glm::vec3 atTheTower = eye + tower.toSun * (-eye.z / tower.toSun.z);
+  EXPECT_LT(glm::abs(atTheTower.x), 1.25f);
+  EXPECT_GT(atTheTower.y, 10.6f);
+  EXPECT_LT(atTheTower.y, 15.2f);
+  int lit = 0, shaded = 0;
+  for (double t = 0; t < tower.scene.animations.at(0).duration; t += 0.2) {
+    const auto cameras = scene::placedCameras(tower.scene, scene::worldMatrices(tower.scene, t));
+    const glm::vec3 at(cameras.at(3).worldFromView[3]);
+    const bool dark = blocked(solid, at, tower.toSun) || blocked(openwork, at, tower.toSun);
+    ++(dark ? shaded : lit);
+  }
+  EXPECT_GT(lit, 15);
+  EXPECT_GT(shaded, 15);
+}
+
+TEST(Sun, OfTheDuskLevelsIsLowAndWarm) {
+  for (const scene::Scene& scene : {makeTerrain(), makeTower()}) {
+    ASSERT_EQ(scene.lights.size(), 1u);
+    EXPECT_EQ(scene.lights[0].kind, scene::LightKind::kDirectional);
+    EXPECT_GT(scene.lights[0].color.r, 1.4f * scene.lights[0].color.g);
+    EXPECT_GT(scene.lights[0].color.g, 1.4f * scene.lights[0].color.b);
+    const float elevation = glm::degrees(glm::asin(Views(scene).toSun.y));
+    EXPECT_GT(elevation, 8.0f);
+    EXPECT_LT(elevation, 24.0f);
+  }
 }
 
 TEST(Sun, IsTheOnlyLightAndPlausible) {

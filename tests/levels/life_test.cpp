@@ -68,6 +68,9 @@ TEST(Life, TheForestsTourIsClear) { expectClearTour(makeForest()); }
 TEST(Life, TheVaultsTourIsClear) { expectClearTour(makeVault()); }
 TEST(Life, TheCagesTourIsClear) { expectClearTour(makeCage()); }
 
+TEST(Life, TheTerrainsTourIsClear) { expectClearTour(makeTerrain()); }
+TEST(Life, TheTowersTourIsClear) { expectClearTour(makeTower()); }
+
 TEST(Life, TheHallsTourStaysInTheHall) {
   const scene::Scene scene = makeHall();
   for (double t = 0; t < scene.animations.at(0).duration; t += 0.1) {

@@ -18,13 +18,19 @@ scene::Scene makeVault();
 /// A store room, 15 m x 12 m x 5 m: a point light in a swinging cage, another in a stove.
 scene::Scene makeCage();
 
+/// A dale at dusk, 400 m x 400 m: a low sun behind a ridge, an aqueduct in its gap, a windmill.
+scene::Scene makeTerrain();
+
+/// A bell tower before a low sun, 5.4 m x 5.4 m x 28 m, openwork and scaffolding, on a village's square.
+scene::Scene makeTower();
+
 /// Every level by its file's name.
 struct Sample {
   const char* name;
   scene::Scene (*make)();
 };
-inline constexpr Sample kSamples[] = {
-    {"hall", makeHall}, {"forest", makeForest}, {"vault", makeVault}, {"cage", makeCage}};
+inline constexpr Sample kSamples[] = {{"hall", makeHall}, {"forest", makeForest},   {"vault", makeVault},
+                                      {"cage", makeCage}, {"terrain", makeTerrain}, {"tower", makeTower}};
 
 /// How many triangles a frame that culls nothing draws: every mesh counted once per node that uses it.
 std::size_t instancedTriangles(const scene::Scene& scene);
