@@ -20,6 +20,9 @@ struct Given {
   std::string preset, plugins, out, scatter, depth, stats, debugView, device;
   std::vector<std::string> assignments;
   bool validate = false, json = false;
+  std::vector<std::string> levels, compare;
+  std::string sweep = "quick", repetitions, report;
+  bool fresh = false;
 };
 
 void addLevel(CLI::App& command, Given& given) {
@@ -60,6 +63,19 @@ void addTruth(CLI::App& command, Given& given) {
   command.add_option("--samples", given.samples, "shadow rays per view ray and light [1024]")->type_name("N");
   command.add_option("--out", given.scatter, "R,G,B in-scattered radiance, A transmittance; 32-bit float")->type_name("FILE.exr");
   command.add_option("--depth", given.depth, "distance along each pixel's ray in metres; 32-bit float")->type_name("FILE.exr");
+}
+
+void addBench(CLI::App& command, Given& given) {
+  command.add_option("LEVEL", given.levels, "samples or paths, instead of the sweep's own levels");
+  command.add_option("--sweep", given.sweep, "quick, full, papers, scaling, motion, or a file of the same form [quick]")->type_name("NAME|FILE.json");
+  command.add_option("--size", given.size, "size of the pictures that are timed, instead of the sweep's")->type_name("WxH");
+  command.add_option("--repetitions", given.repetitions, "timed frames of each point, instead of the sweep's")->type_name("N");
+  command.add_option("--out", given.out, "folder of results.json, results.csv and report.html [out/bench/<sweep>]; what it holds is gone on with")->type_name("DIR");
+  command.add_flag("--fresh", given.fresh, "measures everything again");
+  command.add_option("--device", given.device, "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")->type_name("TEXT");
+  command.add_option("--plugin-dir", given.plugins, "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")->type_name("DIR");
+  command.add_option("--compare", given.compare, "a table of the ratios of two results.json, instead of measuring")->type_name("A.json B.json")->expected(2);
+  command.add_option("--report", given.report, "makes the report of a results.json again, instead of measuring")->type_name("RESULTS.json");
 }
 
 /// An error for the first argument that nothing took, or success.
@@ -131,6 +147,24 @@ Result<Options> readTruth(const Given& given) {
   return Options(std::move(options));
 }
 
+Result<Options> readBench(const Given& given, bool sized) {
+  BenchOptions options;
+  if (sized) {
+    auto size = readSize("--size", given.size);
+    if (!size) return size.error();
+    options.size = *size;
+  }
+  if (!given.repetitions.empty()) {
+    auto repetitions = readCount("--repetitions", given.repetitions, 1, 1000);
+    if (!repetitions) return repetitions.error();
+    options.repetitions = *repetitions;
+  }
+  options.levels = given.levels, options.sweep = given.sweep, options.out = given.out, options.device = given.device, options.pluginFolder = given.plugins;
+  options.fresh = given.fresh, options.report = given.report;
+  options.compare.assign(given.compare.begin(), given.compare.end());
+  return Options(std::move(options));
+}
+
 }  // namespace
 
 Result<Options> readOptions(int argc, const char* const* argv) try {
@@ -150,7 +184,8 @@ Result<Options> readOptions(int argc, const char* const* argv) try {
   CLI::App& edit = *app.add_subcommand("edit", "starts the editor");
   edit.set_help_flag();
   edit.prefix_command();
-  CLI::App& bench = *app.add_subcommand("bench", "measures speed and error (not built yet)");
+  CLI::App& bench = *app.add_subcommand("bench", "measures run time against error");
+  addBench(bench, given);
   CLI::App& tune = *app.add_subcommand("tune", "searches settings for a budget (not built yet)");
   for (CLI::App* command : {&render, &truth, &describe, &levels, &bench, &tune}) command->allow_extras();
 
@@ -176,11 +211,12 @@ Result<Options> readOptions(int argc, const char* const* argv) try {
   }
   const CLI::App& command = *chosen.front();
   if (&command == &edit) return Options(EditOptions{edit.remaining()});
-  if (&command == &bench || &command == &tune) return Options(NotBuiltOptions{command.get_name()});
+  if (&command == &tune) return Options(NotBuiltOptions{command.get_name()});
   if (auto extras = refuseExtras(command); !extras) return extras.error();
   if (auto empty = refuseEmpty(command); !empty) return empty.error();
   if (&command == &render) return readRender(given);
   if (&command == &truth) return readTruth(given);
+  if (&command == &bench) return readBench(given, bench.get_option("--size")->count() > 0);
   if (&command == &describe) return Options(DescribeOptions{given.json, given.plugins, given.device});
   return Options(LevelsOptions{});
 } catch (const CLI::Error& error) {

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/bench_options.hpp"
 #include "base/result.hpp"
 
 namespace tyndall::app {
@@ -52,7 +53,7 @@ struct NotBuiltOptions { std::string command; };
 /// Help or version: text for stdout, then exit status 0.
 struct TextOptions { std::string text; };
 
-using Options = std::variant<RenderOptions, TruthOptions, DescribeOptions, LevelsOptions, EditOptions, NotBuiltOptions, TextOptions>;
+using Options = std::variant<RenderOptions, TruthOptions, DescribeOptions, LevelsOptions, EditOptions, BenchOptions, NotBuiltOptions, TextOptions>;
 
 Result<Options> readOptions(int argc, const char* const* argv);
 

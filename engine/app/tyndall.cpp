@@ -18,9 +18,10 @@ Result<void> run(const Options& options) {
     Result<void> operator()(const DescribeOptions& o) { return runDescribe(o); }
     Result<void> operator()(const LevelsOptions& o) { return runLevels(o); }
     Result<void> operator()(const EditOptions& o) { return runEdit(o); }
+    Result<void> operator()(const BenchOptions& o) { return runBench(o); }
     Result<void> operator()(const TextOptions& o) { return print(o.text); }
     Result<void> operator()(const NotBuiltOptions& o) {
-      return badCall(o.command + ": not built yet; render --frames N --stats FILE.json measures one setting");
+      return badCall(o.command + ": not built yet; bench measures many settings, each with its error");
     }
   };
   return std::visit(Visitor{}, options);

@@ -1,0 +1,32 @@
+// What `tyndall bench` is asked for. The benchmark itself is a room above this one (engine/bench), which defines runBench.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.hpp"
+
+namespace tyndall::app {
+
+struct BenchOptions {
+  std::vector<std::string> levels;  ///< empty: the sweep's own, else all samples
+  std::string sweep = "quick";      ///< a sweep that comes with the program, or a path to a .json file
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> size;
+  std::optional<std::uint32_t> repetitions;
+  std::filesystem::path out;        ///< folder; empty: out/bench/<sweep>
+  std::string device;
+  std::filesystem::path pluginFolder;
+  bool fresh = false;               ///< measures everything again
+  std::vector<std::filesystem::path> compare;  ///< two results.json to compare, instead of measuring
+  std::filesystem::path report;     ///< a results.json to make the report of again, instead of measuring
+};
+
+/// Measures a sweep, or compares two results. Writes results.json, results.csv and report.html into the folder. Errors: an unknown sweep or level
+/// and a wrong sweep file are bad calls; a device that cannot be opened, a file that cannot be written, an interruption fail.
+Result<void> runBench(const BenchOptions& options);
+
+}  // namespace tyndall::app

@@ -1,0 +1,184 @@
+// tyndall bench: which sweep, which levels, where the results go; progress; going on after an interruption.
+#include "app/bench_options.hpp"
+
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+
+#include <unistd.h>
+
+#include "app/catalogue.hpp"
+#include "app/level.hpp"
+#include "base/file.hpp"
+#include "bench/campaign.hpp"
+#include "bench/report.hpp"
+
+namespace tyndall::bench {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+void interrupt(int) { interrupted = 1; }
+
+std::string now() {
+  const std::time_t t = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&t, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+double seconds() {
+  std::timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// One line that is written over on a terminal; elsewhere a line a view.
+class Progress {
+ public:
+  explicit Progress(std::size_t views) : views_(views), terminal_(::isatty(STDERR_FILENO) != 0), start_(seconds()) {}
+  void begin(std::size_t view, const std::string& name) {
+    view_ = view, name_ = name;
+    if (!terminal_) std::fprintf(stderr, "tyndall: bench: %s (view %zu of %zu)\n", name.c_str(), view + 1, views_);
+  }
+  bool tell(const std::string& what, std::size_t done, std::size_t all) {
+    if (terminal_) {
+      const double share = (static_cast<double>(view_) + static_cast<double>(done) / static_cast<double>(all)) / static_cast<double>(views_);
+      const double passed = seconds() - start_;
+      char left[48] = "";
+      if (share > 0.01) std::snprintf(left, sizeof left, ", about %.0f min left", passed / share * (1 - share) / 60 + 0.5);
+      std::fprintf(stderr, "\r\033[Ktyndall: bench: %s (view %zu of %zu), %s %zu/%zu%s", name_.c_str(), view_ + 1, views_, what.c_str(), done, all, left);
+    }
+    return interrupted == 0;
+  }
+  ~Progress() {
+    if (terminal_) std::fputs("\r\033[K", stderr);
+  }
+
+ private:
+  std::size_t views_, view_ = 0;
+  bool terminal_;
+  double start_;
+  std::string name_;
+};
+
+Result<Results> readFileOfResults(const std::filesystem::path& path) {
+  auto text = readText(path, 1u << 30);
+  if (!text) return text.error();
+  return readResults(*text, path.string());
+}
+
+Result<void> writeReport(const std::string& json, const std::filesystem::path& path) {
+  auto html = reportHtml(json);
+  if (!html) return failed("the report: " + html.error().message);
+  return writeTextAtomically(path, *html);
+}
+
+Result<void> writeAll(const Results& results, const std::filesystem::path& folder) {
+  const std::string json = resultsJson(results);
+  if (auto done = writeTextAtomically(folder / "results.json", json); !done) return done;
+  if (auto done = writeTextAtomically(folder / "results.csv", resultsCsv(results)); !done) return done;
+  return writeReport(json, folder / "report.html");
+}
+
+Result<void> compare(const std::vector<std::filesystem::path>& files) {
+  if (files.size() != 2) return badCall("--compare: has " + std::to_string(files.size()) + " files; two results.json would be right");
+  auto a = readFileOfResults(files[0]);
+  if (!a) return Error{"--compare " + a.error().message, a.error().kind};
+  auto b = readFileOfResults(files[1]);
+  if (!b) return Error{"--compare " + b.error().message, b.error().kind};
+  const std::string text = "a: " + files[0].string() + ", " + a->device + "\nb: " + files[1].string() + ", " + b->device + "\n" + compareResults(*a, *b);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) return failed("standard output: cannot be written");
+  return {};
+}
+
+/// Results that lie in the folder and were measured the same way, or new ones.
+Result<Results> begin(const app::BenchOptions& options, const std::filesystem::path& folder, const Sweep& sweep, const gpu::DeviceInfo& device) {
+  Results results;
+  results.device = device.name, results.driver = device.driver, results.sweep = sweep.name, results.started = now(), results.settings = sweep.settings;
+  results.command = "tyndall bench";
+  for (const std::string& level : options.levels) results.command += " " + level;
+  results.command += " --sweep " + options.sweep;
+  if (options.size) results.command += " --size " + std::to_string(sweep.size.first) + "x" + std::to_string(sweep.size.second);
+  if (options.repetitions) results.command += " --repetitions " + std::to_string(sweep.repetitions);
+  const auto file = folder / "results.json";
+  if (options.fresh || !std::filesystem::exists(file)) return results;
+  auto earlier = readFileOfResults(file);
+  if (!earlier) return earlier.error();
+  if (earlier->device != results.device || earlier->driver != results.driver)
+    return failed(file.string() + ": was measured on " + earlier->device + ", " + earlier->driver + ", this is " + results.device + ", " + results.driver +
+                  "; another --out, or --fresh to measure everything again, is needed");
+  if (earlier->sweep != results.sweep || earlier->settings != results.settings)
+    return failed(file.string() + ": is of another sweep or of other common settings; another --out, or --fresh, is needed");
+  return earlier;
+}
+
+Result<void> measure(const app::BenchOptions& options) {
+  auto sweep = findSweep(options.sweep);
+  if (!sweep) return sweep.error();
+  if (options.size) sweep->size = *options.size;
+  if (options.repetitions) sweep->repetitions = *options.repetitions;
+  const std::vector<std::string> levels = !options.levels.empty() ? options.levels : !sweep->levels.empty() ? sweep->levels : app::sampleLevels();
+  for (const std::string& level : levels)
+    if (auto found = app::findLevel(level); !found) return found.error();
+  const std::filesystem::path folder = options.out.empty() ? std::filesystem::path("out") / "bench" / sweep->name : options.out;
+  std::error_code bad;
+  std::filesystem::create_directories(folder, bad);
+  if (bad) return failed("--out " + folder.string() + ": cannot be made: " + bad.message());
+
+  auto catalogue = app::Catalogue::load(app::pluginFolder(options.pluginFolder));
+  if (!catalogue) return catalogue.error();
+  // Settings are checked before a device is opened.
+  if (auto planned = pointsOf(*sweep, **catalogue, "", 0); !planned) return planned.error();
+  auto stand = Stand::open(catalogue.take(), options.device);
+  if (!stand) return stand.error();
+  auto results = begin(options, folder, *sweep, (*stand)->session().device().info());
+  if (!results) return results.error();
+  auto rate = (*stand)->copyRate();
+  if (!rate) return rate.error();
+  results->copyGigabytes = *rate * 1e-9;
+
+  const auto earlier = std::signal(SIGINT, interrupt);
+  Progress progress(levels.size() * sweep->cameras.size());
+  const Watcher watcher{[&](const std::string& what, std::size_t done, std::size_t all) { return progress.tell(what, done, all); }};
+  std::size_t view = 0;
+  Result<void> outcome;
+  for (std::size_t l = 0; l < levels.size() && outcome; ++l) {
+    for (const std::uint32_t camera : sweep->cameras) {
+      progress.begin(view++, levels[l] + " camera " + std::to_string(camera));
+      auto level = app::loadLevel(levels[l]);
+      if (!level) { outcome = level.error(); break; }
+      if (camera >= level->cameras(0).size() && camera > 0) continue;  // not every level has as many
+      if (auto set = (*stand)->setLevel(level.take()); !set) { outcome = set; break; }
+      auto planned = pointsOf(*sweep, (*stand)->catalogue(), levels[l], camera);
+      if (!planned) { outcome = planned.error(); break; }
+      auto went = measureView(**stand, *sweep, *(*stand)->session().level(), camera, *planned, *results, watcher);
+      if (!went) { outcome = went.error(); break; }
+      if (!*went) { outcome = failed("bench: interrupted in " + levels[l] + "; the same call goes on from there"); break; }
+      if (auto written = writeAll(*results, folder); !written) { outcome = written; break; }
+    }
+  }
+  std::signal(SIGINT, earlier);
+  if (!outcome) return outcome;
+  const std::string text = (folder / "results.json").string() + "\n" + (folder / "results.csv").string() + "\n" + (folder / "report.html").string() + "\n";
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) return failed("standard output: cannot be written");
+  return {};
+}
+
+}  // namespace
+}  // namespace tyndall::bench
+
+namespace tyndall::app {
+
+Result<void> runBench(const BenchOptions& options) {
+  if (!options.compare.empty()) return bench::compare(options.compare);
+  if (!options.report.empty()) {
+    auto text = readText(options.report, 1u << 30);
+    if (!text) return Error{"--report " + text.error().message, text.error().kind};
+    return bench::writeReport(*text, options.out.empty() ? options.report.parent_path() / "report.html" : options.out / "report.html");
+  }
+  return bench::measure(options);
+}
+
+}  // namespace tyndall::app

@@ -1,0 +1,23 @@
+// Ray-traced references, kept on disk: they cost minutes.
+#pragma once
+
+#include <functional>
+
+#include "app/level.hpp"
+#include "bench/sweep.hpp"
+#include "image/image_io.hpp"
+#include "truth/truth.hpp"
+
+namespace tyndall::bench {
+
+struct Truth {
+  image::FloatImage scatter;    ///< R,G,B radiance, A transmittance
+  std::vector<float> distance;  ///< metres along the ray
+};
+
+/// From <cache>/truths if it was made before: of the same level file (by content), camera, size, medium, samples and time; else rendered and kept
+/// there. A cache that cannot be written only costs time. `progress` as in truth::Settings.
+Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Size size, double seconds, const truth::Medium& medium, std::uint32_t samples,
+                      const std::function<bool(double)>& progress);
+
+}  // namespace tyndall::bench

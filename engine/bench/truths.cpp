@@ -1,0 +1,58 @@
+#include "bench/truths.hpp"
+
+#include <cstdio>
+
+#include "base/file.hpp"
+
+namespace tyndall::bench {
+namespace {
+
+/// FNV-1a, 64 bit: names files of a cache, no more.
+std::uint64_t hashOf(std::span<const std::byte> bytes, std::uint64_t hash = 0xcbf29ce484222325ull) {
+  for (const std::byte b : bytes) hash = (hash ^ static_cast<std::uint64_t>(b)) * 0x100000001b3ull;
+  return hash;
+}
+
+/// Changes when the truth's own code does, so that old pictures are not taken for new ones.
+constexpr const char* kGeneration = "1";
+
+}  // namespace
+
+Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Size size, double seconds, const truth::Medium& medium, std::uint32_t samples,
+                      const std::function<bool(double)>& progress) {
+  auto view = app::chooseCamera(level, camera, seconds);
+  if (!view) return view.error();
+  auto bytes = readFile(level.path);
+  if (!bytes) return bytes.error();
+  char key[256];
+  std::snprintf(key, sizeof key, "%s %u %ux%u %.17g %.17g %.17g %.17g %u", kGeneration, camera, size.first, size.second, seconds, medium.sigma_t, medium.albedo,
+                medium.g, samples);
+  const std::uint64_t hash = hashOf(std::as_bytes(std::span(key, std::char_traits<char>::length(key))), hashOf(*bytes));
+  char name[32];
+  std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hash));
+  const std::filesystem::path folder = cacheFolder() / "truths";
+  const auto scatterFile = folder / (std::string(name) + "-scatter.exr"), distanceFile = folder / (std::string(name) + "-distance.exr");
+  if (std::filesystem::exists(scatterFile) && std::filesystem::exists(distanceFile)) {
+    auto scatter = image::readExr(scatterFile);
+    auto distance = image::readExr(distanceFile);
+    if (scatter && distance && scatter->channels == 4 && distance->channels == 1 && scatter->width == size.first && distance->width == size.first)
+      return Truth{scatter.take(), std::move(distance->values)};
+  }
+  truth::Settings settings;
+  settings.width = size.first;
+  settings.height = size.second;
+  settings.seconds = seconds;
+  settings.medium = medium;
+  settings.samples = samples;
+  settings.progress = progress;
+  auto picture = truth::render(level.scene, *view, level.lights(seconds), settings);
+  if (!picture) return picture.error();
+  Truth made{{size.first, size.second, 4, {}}, std::move(picture->distance)};
+  for (const glm::vec4& p : picture->scatter) made.scatter.values.insert(made.scatter.values.end(), {p.r, p.g, p.b, p.a});
+  std::error_code none;
+  std::filesystem::create_directories(folder, none);
+  if (!none && image::writeExr(scatterFile, made.scatter)) (void)image::writeExr(distanceFile, {size.first, size.second, 1, made.distance});
+  return made;
+}
+
+}  // namespace tyndall::bench
