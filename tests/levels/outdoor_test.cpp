@@ -31,8 +31,8 @@ TEST(Terrain, HasGroundEverywhereWhereItsPlanSays) {
   }
 }
 
-/// Bays meet at the piers' middles: rays along the sun within 2 mm of the seams, and anywhere in a pier, are stopped;
-/// rays through an arch are not.
+/// Bays meet at the piers' middles: rays along the sun within 2 mm of the seams, and anywhere in a pier, are stopped,
+/// and so are those straight across; rays through an arch are not.
 TEST(Terrain, AqueductIsTightButForItsArches) {
   using namespace terrain;
   const scene::Scene scene = makeTerrain();
@@ -44,6 +44,8 @@ TEST(Terrain, AqueductIsTightButForItsArches) {
     const glm::vec3 at(kAqueductX, random.range(1.0f, kLowerTop),
                        seam + (i % 2 == 0 ? 0.002f : 0.6f) * random.range(-1, 1));
     ASSERT_TRUE(blocked(stone, at - 20.0f * sun, sun)) << at.y << ' ' << at.z;
+    const glm::vec3 across{1, 0, 0};  // straight through: the slanting sun would hit the next bay's side
+    ASSERT_TRUE(blocked(stone, at - 20.0f * across, across)) << at.y << ' ' << at.z;
   }
   int open = 0;
   for (int i = 0; i < 500; ++i) {
@@ -69,7 +71,9 @@ TEST(Tower, IsSolidBelowTheBelfryAndOpenThere) {
     ASSERT_TRUE(stopped({random.range(-kHalf + 0.05f, kHalf - 0.05f), joint + 0.002f * random.range(-1, 1), 0}))
         << joint;
     const float corner = (i % 2 == 0 ? -1.0f : 1.0f) * (kHalf - random.range(0.01f, 0.5f));
-    ASSERT_TRUE(stopped({corner, random.range(kBelfry + 1.2f, kBelfryTop - 1.2f), 0})) << corner;
+    const glm::vec3 at{corner, random.range(kBelfry + 1.2f, kBelfryTop - 0.1f), 0};
+    ASSERT_TRUE(stopped(at)) << corner;
+    ASSERT_TRUE(blocked(belfry, at + glm::vec3(0, 0, 20), {0, 0, -1})) << corner;
     ASSERT_TRUE(stopped(random.inside({-2.6f, 0.5f, 0}, {2.6f, kBelfry - 1.1f, 0})));
   }
   int open = 0;
