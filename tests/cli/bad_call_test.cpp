@@ -57,8 +57,6 @@ TEST_F(BadCall, Parameters) {
 TEST_F(BadCall, NotBuiltYetIsSaidByName) {
   expectRefused({"render", "hall", "--set", "volumetrics.reuse=true"}, 2, {"volumetrics.reuse", "not built"});
   expectRefused({"render", "hall", "--set", "shadows.mode=soft"}, 2, {"shadows.mode", "not built"});
-  expectRefused({"bench"}, 2, {"bench", "not built yet"});
-  expectRefused({"bench", "hall", "--sweep", "x", "--out", "d"}, 2, {"bench", "not built yet"});
   expectRefused({"tune", "hall", "--budget-ms", "4"}, 2, {"tune", "not built yet"});
 }
 

@@ -1,0 +1,116 @@
+// Quartiles, and errors split by where they lie, against pictures made by hand.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "bench/error_split.hpp"
+
+namespace tyndall::bench {
+namespace {
+
+image::FloatImage flat(std::uint32_t width, std::uint32_t height, float radiance, float transmittance) {
+  image::FloatImage picture{width, height, 4, {}};
+  for (std::uint32_t i = 0; i < width * height; ++i) picture.values.insert(picture.values.end(), {radiance, radiance, radiance, transmittance});
+  return picture;
+}
+
+void set(image::FloatImage& picture, std::uint32_t x, std::uint32_t y, float radiance) {
+  for (std::uint32_t c = 0; c < 3; ++c) picture.at(x, y, c) = radiance;
+}
+
+TEST(Spread, QuartilesLieBetweenRanks) {
+  EXPECT_EQ(spreadOf({}).count, 0u);
+  const Spread one = spreadOf({4});
+  EXPECT_EQ(one.median, 4);
+  EXPECT_EQ(one.low, 4);
+  const Spread five = spreadOf({50, 10, 30, 20, 40});
+  EXPECT_EQ(five.median, 30);
+  EXPECT_EQ(five.low, 20);
+  EXPECT_EQ(five.high, 40);
+  const Spread two = spreadOf({1, 2});
+  EXPECT_DOUBLE_EQ(two.median, 1.5);
+  EXPECT_DOUBLE_EQ(two.low, 1.25);
+}
+
+TEST(ErrorSplit, EachPartHasItsOwnErrors) {
+  constexpr std::uint32_t kWidth = 60, kHeight = 40;
+  const image::FloatImage reference = flat(kWidth, kHeight, 2, 0.5f);
+  image::FloatImage picture = reference;
+  std::vector<float> distance(kWidth * kHeight, 10.0f);
+  // Columns 0 to 4 lie nearer: columns 4 and 5 are on the step.
+  for (std::uint32_t y = 0; y < kHeight; ++y)
+    for (std::uint32_t x = 0; x < 5; ++x) distance[y * kWidth + x] = 9.0f;
+  set(picture, 4, 7, 3);          // silhouette by distance: +0.5 of the mean
+  picture.at(30, 3, 3) = 0.52f;   // silhouette by transmittance
+  set(picture, 30, 3, 2.2f);      // +0.1
+  set(picture, 20, 20, 1);        // interior: -0.5
+  set(picture, 50, 30, 6);        // by the light: +2
+  auto split = splitErrors(picture, reference, distance, {{50.5f, 30.5f}});
+  ASSERT_TRUE(split) << split.error().message;
+  EXPECT_EQ(split->all->pixels, kWidth * kHeight);
+  EXPECT_EQ(split->all->pixels, split->silhouettes->pixels + split->interior->pixels + split->light->pixels);
+  EXPECT_EQ(split->silhouettes->pixels, 2 * kHeight + 1);
+  EXPECT_NEAR(split->silhouettes->nrmse, std::sqrt((0.25 + 0.01) / static_cast<double>(split->silhouettes->pixels)), 1e-6);
+  EXPECT_NEAR(split->silhouettes->maximum, 0.5, 1e-6);
+  EXPECT_NEAR(split->interior->nrmse, 0.5 / std::sqrt(static_cast<double>(split->interior->pixels)), 1e-6);
+  EXPECT_LT(split->interior->bias, 0);
+  EXPECT_NEAR(split->light->maximum, 2, 1e-6);
+  EXPECT_NEAR(split->light->bias * static_cast<double>(split->light->pixels), 2, 1e-5);
+  EXPECT_NEAR(split->all->nrmse, std::sqrt((0.25 + 0.01 + 0.25 + 4) / (kWidth * kHeight)), 1e-6);
+  EXPECT_EQ(split->all->p99, 0);
+}
+
+TEST(ErrorSplit, PartsWithoutPixelsAreMissing) {
+  const image::FloatImage reference = flat(8, 8, 1, 1);
+  auto split = splitErrors(reference, reference, {}, {});
+  ASSERT_TRUE(split);
+  EXPECT_FALSE(split->light);
+  EXPECT_FALSE(split->silhouettes);
+  EXPECT_EQ(split->interior->nrmse, 0);
+}
+
+TEST(ErrorSplit, TheNinetyNinthPercentileIsANearestRank) {
+  const image::FloatImage reference = flat(10, 10, 1, 1);
+  image::FloatImage picture = reference;
+  set(picture, 0, 0, 5);  // one pixel of a hundred: above the 99th percentile
+  EXPECT_EQ(splitErrors(picture, reference, {}, {})->all->p99, 0);
+  set(picture, 1, 0, 3);  // two of a hundred
+  EXPECT_NEAR(splitErrors(picture, reference, {}, {})->all->p99, 2, 1e-6);
+}
+
+TEST(ErrorSplit, WhatCannotBeComparedIsRefused) {
+  const image::FloatImage reference = flat(8, 8, 1, 1);
+  EXPECT_FALSE(splitErrors(flat(8, 9, 1, 1), reference, {}, {}));
+  EXPECT_FALSE(splitErrors(reference, flat(8, 8, 0, 1), {}, {}));
+  EXPECT_FALSE(splitErrors(reference, reference, std::vector<float>(3), {}));
+  image::FloatImage broken = reference;
+  set(broken, 3, 2, std::numeric_limits<float>::quiet_NaN());
+  auto split = splitErrors(broken, reference, {}, {});
+  ASSERT_FALSE(split);
+  EXPECT_NE(split.error().message.find("3, 2"), std::string::npos);
+}
+
+TEST(ErrorSplit, LightsStandWhereTheyAreSeen) {
+  scene::CameraView camera;  // at the origin, looks down -z
+  camera.worldFromView = glm::mat4(1);
+  camera.camera.yfov = glm::radians(90.0f);
+  scene::LightView sun, lamp, behind;
+  sun.light.kind = scene::LightKind::kDirectional;
+  sun.direction = glm::vec3(0, 0, 1);  // shines towards +z: stands in the middle
+  lamp.light.kind = scene::LightKind::kPoint;
+  lamp.position = glm::vec3(1, 1, -2);
+  behind.light.kind = scene::LightKind::kPoint;
+  behind.position = glm::vec3(0, 0, 5);
+  const auto places = lightsInPicture({sun, lamp, behind}, camera, {200, 100});
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_NEAR(places[0].x, 100, 1e-4f);
+  EXPECT_NEAR(places[0].y, 50, 1e-4f);
+  EXPECT_NEAR(places[1].x, 125, 1e-4f);  // 1/2 of the half height, which is 50 pixels
+  EXPECT_NEAR(places[1].y, 25, 1e-4f);
+  EXPECT_TRUE(insidePicture(places, {200, 100}));
+  EXPECT_FALSE(insidePicture({{-1.0f, 5.0f}}, {200, 100}));
+}
+
+}  // namespace
+}  // namespace tyndall::bench
