@@ -1,0 +1,114 @@
+#include "hitch.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace tyndall::hitch {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Background = host::PluginEffect::Background;
+
+template <class T>
+T must(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return result.take();
+}
+void must(const Result<void>& result) {
+  if (!result) throw std::runtime_error(result.error().message);
+}
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+constexpr int kSteadyFrames = 9;     // whose median is the steady state's time
+constexpr int kFramesAfter = 3;      // of the new value that may show what was left to compile
+constexpr double kMostSeconds = 120; // for a build beside frames that take most of the processor
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+const Settings& Bench::small() {
+  static const Settings settings = {"volumetrics.columns=256", "volumetrics.slices=128", "shadows.resolution=512",
+                                    "volumetrics.prefix_scheme=row", "volumetrics.steps=64"};
+  return settings;
+}
+
+Bench::Bench(const std::string& level, std::uint32_t width, std::uint32_t height, bool background) {
+  std::string name = (std::filesystem::temp_directory_path() / "tyndall-hitch-XXXXXX").string();
+  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+  caches_ = name;
+  ::setenv("MESA_SHADER_CACHE_DIR", (caches_ / "mesa").c_str(), 1);
+  ::setenv("XDG_CACHE_HOME", caches_.c_str(), 1);
+  app::Level loaded = must(app::loadLevel(level));
+  request_.width = width;
+  request_.height = height;
+  request_.camera = must(app::chooseCamera(loaded, 0, 0));
+  session_ = must(app::Session::open(must(app::Catalogue::load(app::pluginFolder({}))), {}));
+  session_->buildInBackground(background);
+  must(session_->setLevel(std::move(loaded)));
+}
+
+Bench::~Bench() {
+  readback_ = {};
+  session_.reset();
+  std::error_code none;
+  std::filesystem::remove_all(caches_, none);
+}
+
+double Bench::frame() {
+  const auto start = Clock::now();
+  render::Graph graph(session_->device(), session_->graphMemory());
+  const render::FrameOutput output = must(session_->buildFrame(graph, request_));
+  must(readback_.addPasses(*session_, graph, output, request_, {true, false, false}));
+  must(session_->submitFrame(graph));
+  must(session_->finishFrames());
+  if (session_->effect().failure()) throw std::runtime_error(session_->effect().failure()->message);
+  return 1000 * secondsSince(start);
+}
+
+double Bench::steady() {
+  std::vector<double> times;
+  for (int i = 0; i < kSteadyFrames; ++i) times.push_back(frame());
+  return median(std::move(times));
+}
+
+void Bench::settle(const Settings& settings) {
+  session_->table().resetToDefaults();
+  for (const Settings& list : {small(), settings})
+    for (const std::string& setting : list) must(session_->table().setAssignment(setting));
+  const auto start = Clock::now();
+  do frame();
+  while (session_->effect().background() != Background::kIdle && secondsSince(start) < kMostSeconds);
+  frame();
+}
+
+Change Bench::change(const std::string& id, const std::string& value) {
+  params::Table& table = session_->table();
+  Change change;
+  change.what = id + " " + params::toText(*table.find(id), table.value(id)) + " -> " + value;
+  change.before = steady();
+  must(table.setText(id, value));
+  const auto start = Clock::now();
+  std::vector<double> times;
+  do {
+    times.push_back(frame());
+    if (secondsSince(start) > kMostSeconds) throw std::runtime_error(change.what + ": not built in " + std::to_string(kMostSeconds) + " s");
+  } while (session_->effect().background() != Background::kIdle);
+  change.frames = static_cast<int>(times.size()) - 1;
+  change.seconds = secondsSince(start);
+  for (int i = 0; i < kFramesAfter; ++i) times.push_back(frame());
+  std::sort(times.rbegin(), times.rend());
+  change.worst = times[0];
+  change.secondWorst = times[1];
+  change.after = steady();
+  return change;
+}
+
+}  // namespace tyndall::hitch
