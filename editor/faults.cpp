@@ -23,8 +23,8 @@ bool happens(Fault fault) {
   return true;
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL acquireOrFail(VkDevice device, VkSwapchainKHR swapchain, std::uint64_t timeout, VkSemaphore semaphore, VkFence fence,
-                                             std::uint32_t* index) {
+VKAPI_ATTR VkResult VKAPI_CALL acquireOrFail(VkDevice device, VkSwapchainKHR swapchain, std::uint64_t timeout,
+                                             VkSemaphore semaphore, VkFence fence, std::uint32_t* index) {
   if (happens(Fault::kOutOfDate)) return VK_ERROR_OUT_OF_DATE_KHR;
   if (happens(Fault::kSurfaceLost)) return VK_ERROR_SURFACE_LOST_KHR;
   const VkResult result = acquireNextImage(device, swapchain, timeout, semaphore, fence, index);
@@ -38,7 +38,8 @@ VKAPI_ATTR VkResult VKAPI_CALL presentOrFail(VkQueue queue, const VkPresentInfoK
   return happens(Fault::kSurfaceLostLate) ? VK_ERROR_SURFACE_LOST_KHR : result;
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL capabilitiesOrFail(VkPhysicalDevice physical, VkSurfaceKHR surface, VkSurfaceCapabilitiesKHR* capabilities) {
+VKAPI_ATTR VkResult VKAPI_CALL capabilitiesOrFail(VkPhysicalDevice physical, VkSurfaceKHR surface,
+                                                  VkSurfaceCapabilitiesKHR* capabilities) {
   if (happens(Fault::kSurfaceLost)) return VK_ERROR_SURFACE_LOST_KHR;
   const VkResult result = surfaceCapabilities(physical, surface, capabilities);
   // What a window that is minimised has, on systems that have such windows.
@@ -46,8 +47,8 @@ VKAPI_ATTR VkResult VKAPI_CALL capabilitiesOrFail(VkPhysicalDevice physical, VkS
   return result;
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL allocateOrFail(VkDevice device, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks* callbacks,
-                                              VkDeviceMemory* memory) {
+VKAPI_ATTR VkResult VKAPI_CALL allocateOrFail(VkDevice device, const VkMemoryAllocateInfo* info,
+                                              const VkAllocationCallbacks* callbacks, VkDeviceMemory* memory) {
   return happens(Fault::kNoMemory) ? VK_ERROR_OUT_OF_DEVICE_MEMORY : allocateMemory(device, info, callbacks, memory);
 }
 
@@ -56,7 +57,8 @@ VKAPI_ATTR VkResult VKAPI_CALL allocateOrFail(VkDevice device, const VkMemoryAll
 Faults::Faults() {
   acquireNextImage = vkAcquireNextImageKHR, vkAcquireNextImageKHR = acquireOrFail;
   queuePresent = vkQueuePresentKHR, vkQueuePresentKHR = presentOrFail;
-  surfaceCapabilities = vkGetPhysicalDeviceSurfaceCapabilitiesKHR, vkGetPhysicalDeviceSurfaceCapabilitiesKHR = capabilitiesOrFail;
+  surfaceCapabilities = vkGetPhysicalDeviceSurfaceCapabilitiesKHR,
+  vkGetPhysicalDeviceSurfaceCapabilitiesKHR = capabilitiesOrFail;
   allocateMemory = vkAllocateMemory, vkAllocateMemory = allocateOrFail;
 }
 

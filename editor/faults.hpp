@@ -1,4 +1,5 @@
-// Errors of window system and memory on demand (--stress): functions of Vulkan are replaced by ones that fail when told to.
+// Errors of window system and memory on demand (--stress): functions of Vulkan are replaced by ones that fail when told
+// to.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +8,12 @@ namespace tyndall::editor {
 
 enum class Fault {
   kNone,
-  kOutOfDate,        ///< no image can be acquired
-  kSuboptimal,       ///< one can
-  kSurfaceLost,      ///< found when an image is acquired or the surface looked at
-  kOutOfDateLate,    ///< found when the image is presented
+  kOutOfDate,      ///< no image can be acquired
+  kSuboptimal,     ///< one can
+  kSurfaceLost,    ///< found when an image is acquired or the surface looked at
+  kOutOfDateLate,  ///< found when the image is presented
   kSurfaceLostLate,
-  kNoArea,           ///< the surface has a size of 0 by 0 when it is looked at, as that of a minimised window
+  kNoArea,  ///< the surface has a size of 0 by 0 when it is looked at, as that of a minimised window
   kNoMemory,
 };
 

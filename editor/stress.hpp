@@ -1,5 +1,5 @@
-// Random use of the editor instead of a user's (--stress): what can be changed is changed, in any order, and whatever breaks is
-// counted.
+// Random use of the editor instead of a user's (--stress): what can be changed is changed, in any order, and whatever
+// breaks is counted.
 #pragma once
 
 #include <chrono>
@@ -46,20 +46,22 @@ class Stress {
   void keepCheap(params::Table& table, const std::string& changed);
   void listen(const Stage& stage);
   void note(const std::string& what) { ++done_[what]; }
-  std::uint32_t below(std::uint32_t count) { return std::uniform_int_distribution<std::uint32_t>(0, count - 1)(random_); }
+  std::uint32_t below(std::uint32_t count) {
+    return std::uniform_int_distribution<std::uint32_t>(0, count - 1)(random_);
+  }
   double unit() { return std::uniform_real_distribution<double>(0, 1)(random_); }
 
   enum class Mode { kRoaming, kGoingHome };
   std::uint32_t steps_, step_ = 0, quiet_ = 0;
-  std::uint32_t pause_ = 0;              ///< frames to draw before the next step
-  bool faulty_ = false;                  ///< a fault was ordered in this step: errors are to be expected
+  std::uint32_t pause_ = 0;  ///< frames to draw before the next step
+  bool faulty_ = false;      ///< a fault was ordered in this step: errors are to be expected
   Mode mode_ = Mode::kGoingHome;
-  std::vector<std::string> levels_;      ///< names; "" is one made up by chance
+  std::vector<std::string> levels_;  ///< names; "" is one made up by chance
   std::mt19937_64 random_;
   Faults faults_;
-  std::map<std::string, std::uint32_t> done_;     ///< steps by kind
-  std::map<std::string, std::uint32_t> refusals_; ///< errors told, by text
-  std::vector<std::string> unexpected_;           ///< errors that nothing explains
+  std::map<std::string, std::uint32_t> done_;      ///< steps by kind
+  std::map<std::string, std::uint32_t> refusals_;  ///< errors told, by text
+  std::vector<std::string> unexpected_;            ///< errors that nothing explains
   std::vector<Memory> atHome_;
   std::string lastMessage_;
   double longestMs_ = 0;

@@ -5,7 +5,9 @@ namespace {
 
 using Random = std::mt19937_64;
 
-float between(Random& random, float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); }
+float between(Random& random, float low, float high) {
+  return std::uniform_real_distribution<float>(low, high)(random);
+}
 int upTo(Random& random, int most) { return std::uniform_int_distribution<int>(0, most)(random); }
 
 /// A box from `low` to `high`, each face with its own vertices.
@@ -31,7 +33,8 @@ scene::Primitive box(glm::vec3 low, glm::vec3 high, std::int32_t material) {
         primitive.vertices.push_back(vertex);
       }
       // Counter-clockwise from outside: the other way round on the lower of two faces.
-      for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) primitive.indices.push_back(first + (end ? i : (4 - i) % 4));
+      for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u})
+        primitive.indices.push_back(first + (end ? i : (4 - i) % 4));
     }
   return primitive;
 }
@@ -42,7 +45,8 @@ app::Level stressLevel(Random& random) {
   scene::Scene scene;
   const auto addBox = [&](glm::vec3 low, glm::vec3 high, scene::AlphaMode mode) {
     scene::Material material;
-    material.baseColor = {between(random, 0, 1), between(random, 0, 1), between(random, 0, 1), mode == scene::AlphaMode::kBlend ? 0.4f : 1.0f};
+    material.baseColor = {between(random, 0, 1), between(random, 0, 1), between(random, 0, 1),
+                          mode == scene::AlphaMode::kBlend ? 0.4f : 1.0f};
     material.alphaMode = mode;
     scene.materials.push_back(material);
     scene.meshes.push_back({"box", {box(low, high, static_cast<std::int32_t>(scene.materials.size()) - 1)}});
@@ -54,7 +58,8 @@ app::Level stressLevel(Random& random) {
   addBox({-10, -1, -10}, {10, 0, 10}, scene::AlphaMode::kOpaque);
   for (int i = upTo(random, 3); i >= 0; --i) {
     const glm::vec3 at(between(random, -6, 6), between(random, 0, 3), between(random, -6, 6));
-    addBox(at, at + glm::vec3(between(random, 0.2f, 3)), upTo(random, 3) == 0 ? scene::AlphaMode::kBlend : scene::AlphaMode::kOpaque);
+    addBox(at, at + glm::vec3(between(random, 0.2f, 3)),
+           upTo(random, 3) == 0 ? scene::AlphaMode::kBlend : scene::AlphaMode::kOpaque);
   }
   if (upTo(random, 1)) {
     scene::AnimationChannel channel;
@@ -74,7 +79,8 @@ app::Level stressLevel(Random& random) {
       scene.images.push_back({"cookie", 4, 2, std::vector<std::uint8_t>(4 * 2 * 4, 255)});
       for (std::uint8_t& byte : scene.images.back().rgba) byte = static_cast<std::uint8_t>(upTo(random, 255));
       scene.textures.push_back({static_cast<std::int32_t>(scene.images.size()) - 1, {}});
-      light.cookie = scene::Cookie{static_cast<std::int32_t>(scene.textures.size()) - 1, glm::vec2(between(random, 1, 10))};
+      light.cookie =
+          scene::Cookie{static_cast<std::int32_t>(scene.textures.size()) - 1, glm::vec2(between(random, 1, 10))};
     }
     scene.lights.push_back(light);
     scene::Node node;

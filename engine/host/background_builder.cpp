@@ -9,8 +9,8 @@
 namespace tyndall::host {
 namespace {
 
-// On a driver that runs on the CPU, frames and compiler share the cores: frames first. Threads that the driver starts for the
-// builder's device inherit it.
+// On a driver that runs on the CPU, frames and compiler share the cores: frames first. Threads that the driver starts
+// for the builder's device inherit it.
 constexpr int kNice = 10;
 
 // The driver writes its cache on a thread of its own after the compiler is done.

@@ -23,9 +23,10 @@ struct BuildStep {
   std::vector<Scratch> warmUps;  ///< only where the driver compiles late
 };
 
-/// Called by the thread that owns the device. The builder's thread touches the device only to make pipelines; where the driver
-/// compiles at the first dispatch it has a device of its own for that, whose code reaches the first one through the driver's cache
-/// on disk: on the one queue that such a driver has, a dispatch that compiles would hold up every frame behind it.
+/// Called by the thread that owns the device. The builder's thread touches the device only to make pipelines; where the
+/// driver compiles at the first dispatch it has a device of its own for that, whose code reaches the first one through
+/// the driver's cache on disk: on the one queue that such a driver has, a dispatch that compiles would hold up every
+/// frame behind it.
 class BackgroundBuilder {
  public:
   explicit BackgroundBuilder(gpu::Device& device) : device_(device) {}
@@ -57,7 +58,8 @@ class BackgroundBuilder {
   bool ending_ = false;
   Job next_;
   std::atomic<std::uint64_t> started_{0}, finished_{0};  ///< numbers of jobs
-  /// Of all jobs since the last take(): those that nobody wants any more are destroyed by the owner's thread, not by this one.
+  /// Of all jobs since the last take(): those that nobody wants any more are destroyed by the owner's thread, not by
+  /// this one.
   std::vector<std::pair<std::string, gpu::Pipeline>> made_;
   std::optional<Error> error_;  ///< of the job finished last
 };

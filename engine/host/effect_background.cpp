@@ -62,7 +62,8 @@ Result<void> PluginEffect::State::keepUp(const Structure& wanted, const render::
   if (built->structure.sameSurroundings(wanted)) return {};
   Structure structure = wanted, drawn = wanted;
   for (std::size_t i = 0; i < wanted.values.size(); ++i)
-    if (wanted.structural[i]) structure.values[i] = asked->structure.values[i], drawn.values[i] = built->structure.values[i];
+    if (wanted.structural[i])
+      structure.values[i] = asked->structure.values[i], drawn.values[i] = built->structure.values[i];
   TyInstance* const instance = built->instance;
   built.reset();  // before the new one is made: both at once may not fit
   auto layout = ask(instance, structure);
@@ -72,8 +73,9 @@ Result<void> PluginEffect::State::keepUp(const Structure& wanted, const render::
 }
 
 /// Kinds of images that the pass's pipeline has not been compiled for.
-std::vector<Scratch> PluginEffect::State::newScratches(const Layout& layout, std::uint32_t pass, const PipelinePlan& plan,
-                                                       const std::vector<PassRun>& runs, const render::EffectInput& input) const {
+std::vector<Scratch> PluginEffect::State::newScratches(const Layout& layout, std::uint32_t pass,
+                                                       const PipelinePlan& plan, const std::vector<PassRun>& runs,
+                                                       const render::EffectInput& input) const {
   std::vector<Scratch> found;
   std::set<std::string> seen;
   if (const auto known = compiled.find(plan.key); known != compiled.end()) seen = known->second;
@@ -109,9 +111,12 @@ Result<void> PluginEffect::State::begin(Structure structure, const render::Effec
     const PipelinePlan& plan = *now.plans[pass];
     std::vector<Scratch> scratches;
     if (device.info().isCpu) scratches = newScratches(now.built->layout, pass, plan, now.built->runs, input);
-    const auto same = std::find_if(now.steps.begin(), now.steps.end(), [&](const BuildStep& step) { return step.plan.key == plan.key; });
-    if (same != now.steps.end()) same->warmUps.insert(same->warmUps.end(), scratches.begin(), scratches.end());
-    else if (!pipelines.has(plan.key) || !scratches.empty()) now.steps.push_back({plan, !pipelines.has(plan.key), std::move(scratches)});
+    const auto same = std::find_if(now.steps.begin(), now.steps.end(),
+                                   [&](const BuildStep& step) { return step.plan.key == plan.key; });
+    if (same != now.steps.end())
+      same->warmUps.insert(same->warmUps.end(), scratches.begin(), scratches.end());
+    else if (!pipelines.has(plan.key) || !scratches.empty())
+      now.steps.push_back({plan, !pipelines.has(plan.key), std::move(scratches)});
   }
   now.made = now.steps.empty();
   if (!now.made) builder.start(now.steps);

@@ -24,8 +24,8 @@ void shrink(gpu::ImageDesc& image, gpu::ViewDesc& view) {
   if (image.type == VK_IMAGE_TYPE_3D) image.depth = side(image.depth);
 }
 
-const gpu::ImageDesc& boundImage(const render::EffectInput& input, const Layout& layout, const TyBinding& b, std::uint32_t light,
-                                 gpu::ImageDesc& own) {
+const gpu::ImageDesc& boundImage(const render::EffectInput& input, const Layout& layout, const TyBinding& b,
+                                 std::uint32_t light, gpu::ImageDesc& own) {
   const std::uint32_t l = light == TY_NONE ? 0 : light;
   switch (b.source) {
     case TY_SOURCE_SCENE_DEPTH: return input.graph.desc(input.depth);
@@ -50,7 +50,8 @@ std::string Scratch::key() const {
     add(b.binding), add(static_cast<std::uint64_t>(b.type));
     if (b.image.format == VK_FORMAT_UNDEFINED) continue;
     add(static_cast<std::uint64_t>(b.image.format)), add(static_cast<std::uint64_t>(b.image.type)), add(b.sampler);
-    for (const std::uint32_t n : {b.image.width, b.image.height, b.image.depth, b.image.layers, b.image.mips, b.view.baseMip, b.view.mipCount})
+    for (const std::uint32_t n :
+         {b.image.width, b.image.height, b.image.depth, b.image.layers, b.image.mips, b.view.baseMip, b.view.mipCount})
       add(n);
     add(b.view.array);
   }
@@ -80,7 +81,8 @@ Scratch scratchOf(const render::EffectInput& input, const Layout& layout, const 
     shrink(bound.image, bound.view);
   }
   for (const TyTarget& t : pass.targets)
-    scratch.colors.push_back(t.source == TY_SOURCE_OUTPUT ? VK_FORMAT_R32G32B32A32_SFLOAT : vulkanFormat(layout.images[t.index].d.format));
+    scratch.colors.push_back(t.source == TY_SOURCE_OUTPUT ? VK_FORMAT_R32G32B32A32_SFLOAT
+                                                          : vulkanFormat(layout.images[t.index].d.format));
   scratch.depth = pass.depthTarget.has_value();
   return scratch;
 }
@@ -107,9 +109,11 @@ Result<std::unique_ptr<WarmUp>> WarmUp::create(gpu::Device& device, const Scratc
     }
   }
   for (const VkFormat format : scratch.colors)
-    if (auto added = add({.format = format, .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}); !added) return added.error();
+    if (auto added = add({.format = format, .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}); !added)
+      return added.error();
   if (scratch.depth)
-    if (auto added = add({.format = VK_FORMAT_D32_SFLOAT, .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT}); !added)
+    if (auto added = add({.format = VK_FORMAT_D32_SFLOAT, .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT});
+        !added)
       return added.error();
   return made;
 }
@@ -122,15 +126,20 @@ void WarmUp::record(VkCommandBuffer commands, const gpu::Pipeline& pipeline) con
   for (std::size_t i = 0; i < scratch_.bound.size(); ++i) {
     const Scratch::Bound& b = scratch_.bound[i];
     switch (b.type) {
-      case VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER: descriptors.uniformBuffer(b.binding, buffer_.handle(), 0, kBufferBytes); break;
+      case VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER:
+        descriptors.uniformBuffer(b.binding, buffer_.handle(), 0, kBufferBytes);
+        break;
       case VK_DESCRIPTOR_TYPE_STORAGE_BUFFER: descriptors.storageBuffer(b.binding, buffer_.handle()); break;
       case VK_DESCRIPTOR_TYPE_STORAGE_IMAGE: descriptors.storageImage(b.binding, images_[i].view(b.view)); break;
-      default: descriptors.sampled(b.binding, images_[i].view(b.view), samplerOf(device_, b.sampler), VK_IMAGE_LAYOUT_GENERAL);
+      default:
+        descriptors.sampled(b.binding, images_[i].view(b.view), samplerOf(device_, b.sampler), VK_IMAGE_LAYOUT_GENERAL);
     }
   }
   descriptors.push();
-  if (pipeline.bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE) vkCmdDispatch(commands, 0, 0, 0);
-  else draw(commands);
+  if (pipeline.bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE)
+    vkCmdDispatch(commands, 0, 0, 0);
+  else
+    draw(commands);
 }
 
 /// The one triangle, clipped to nothing.

@@ -1,8 +1,8 @@
 // Makes a driver compile a pipeline's code before the frame that needs it.
 //
-// Some drivers compile when a pipeline is made, and have nothing left to do here. Mesa's llvmpipe compiles at the first dispatch or
-// draw, for the formats and kinds of the images bound (whether their sides are powers of two included) and for their samplers. So
-// a dispatch of no workgroups with tiny images of the same kind does it, and touches nothing.
+// Some drivers compile when a pipeline is made, and have nothing left to do here. Mesa's llvmpipe compiles at the first
+// dispatch or draw, for the formats and kinds of the images bound (whether their sides are powers of two included) and
+// for their samplers. So a dispatch of no workgroups with tiny images of the same kind does it, and touches nothing.
 #pragma once
 
 #include <memory>

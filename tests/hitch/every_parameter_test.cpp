@@ -1,8 +1,8 @@
-// The table of docs/results/hitch.md: each parameter changed once (a choice: through all of its values), with the frames around the
-// change; built beside the frames, and at once for comparison.
+// The table of docs/results/hitch.md: each parameter changed once (a choice: through all of its values), with the
+// frames around the change; built beside the frames, and at once for comparison.
 #include <algorithm>
-#include <cstdio>
 #include <cmath>
+#include <cstdio>
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,9 @@ struct Plan {
   std::vector<std::string> values;
 };
 
-bool contains(const std::vector<std::string>& list, const std::string& text) { return std::find(list.begin(), list.end(), text) != list.end(); }
+bool contains(const std::vector<std::string>& list, const std::string& text) {
+  return std::find(list.begin(), list.end(), text) != list.end();
+}
 
 /// Values to change to, one after the other, from the one that is set.
 std::vector<std::string> valuesOf(const params::Parameter& p, double from) {
@@ -71,7 +73,8 @@ std::vector<Change> measure(bool background) {
     for (const std::string& value : plan.values) {
       changes.push_back(bench.change(plan.id, value));
       const Change& c = changes.back();
-      std::printf("%-55s %7.1f %7.1f %7.1f %6.2f %4d %6.2f\n", c.what.c_str(), c.before, c.after, c.worst, c.ratio(), c.frames, c.seconds);
+      std::printf("%-55s %7.1f %7.1f %7.1f %6.2f %4d %6.2f\n", c.what.c_str(), c.before, c.after, c.worst, c.ratio(),
+                  c.frames, c.seconds);
       std::fflush(stdout);
     }
   }
@@ -81,17 +84,20 @@ std::vector<Change> measure(bool background) {
 TEST(HitchSweep, EveryParameter) {
   const std::vector<Change> beside = measure(true), atOnce = measure(false);
   ASSERT_EQ(beside.size(), atOnce.size());
-  std::printf("| change | before, ms | after, ms | slowest frame, ms | ratio | frames in between | until drawn, s | at once: slowest frame, ms | ratio |\n");
+  std::printf(
+      "| change | before, ms | after, ms | slowest frame, ms | ratio | frames in between | until drawn, s | at once: "
+      "slowest frame, ms | ratio |\n");
   std::printf("|---|---|---|---|---|---|---|---|---|\n");
   int hitches = 0, hitchesAtOnce = 0;
   for (std::size_t i = 0; i < beside.size(); ++i) {
     const Change &b = beside[i], &a = atOnce[i];
-    std::printf("| `%s` | %.0f | %.0f | %.0f | %.2f | %d | %.2f | %.0f | %.2f |\n", b.what.c_str(), b.before, b.after, b.worst, b.ratio(), b.frames,
-                b.seconds, a.worst, a.ratio());
+    std::printf("| `%s` | %.0f | %.0f | %.0f | %.2f | %d | %.2f | %.0f | %.2f |\n", b.what.c_str(), b.before, b.after,
+                b.worst, b.ratio(), b.frames, b.seconds, a.worst, a.ratio());
     hitches += b.ratio() > 2;
     hitchesAtOnce += a.ratio() > 2;
   }
-  std::printf("%d of %zu changes with a frame above twice the steady state; at once %d\n", hitches, beside.size(), hitchesAtOnce);
+  std::printf("%d of %zu changes with a frame above twice the steady state; at once %d\n", hitches, beside.size(),
+              hitchesAtOnce);
   // Single frames may be late for the machine's own reasons; each change that needs pipelines would be.
   EXPECT_LE(hitches, static_cast<int>(beside.size()) / 10);
   EXPECT_LT(hitches, hitchesAtOnce);

@@ -22,9 +22,9 @@ void must(const Result<void>& result) {
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-constexpr int kSteadyFrames = 9;     // whose median is the steady state's time
-constexpr int kFramesAfter = 3;      // of the new value that may show what was left to compile
-constexpr double kMostSeconds = 120; // for a build beside frames that take most of the processor
+constexpr int kSteadyFrames = 9;      // whose median is the steady state's time
+constexpr int kFramesAfter = 3;       // of the new value that may show what was left to compile
+constexpr double kMostSeconds = 120;  // for a build beside frames that take most of the processor
 
 }  // namespace
 
@@ -99,7 +99,8 @@ Change Bench::change(const std::string& id, const std::string& value) {
   std::vector<double> times;
   do {
     times.push_back(frame());
-    if (secondsSince(start) > kMostSeconds) throw std::runtime_error(change.what + ": not built in " + std::to_string(kMostSeconds) + " s");
+    if (secondsSince(start) > kMostSeconds)
+      throw std::runtime_error(change.what + ": not built in " + std::to_string(kMostSeconds) + " s");
   } while (session_->effect().background() != Background::kIdle);
   change.frames = static_cast<int>(times.size()) - 1;
   change.seconds = secondsSince(start);

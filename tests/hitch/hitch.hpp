@@ -1,5 +1,5 @@
-// How long frames take around a change of one parameter: the wall clock of a whole frame, from its declaration until the device has
-// finished it, as somebody at the editor's window waits for it.
+// How long frames take around a change of one parameter: the wall clock of a whole frame, from its declaration until
+// the device has finished it, as somebody at the editor's window waits for it.
 #pragma once
 
 #include <memory>
@@ -14,13 +14,13 @@ namespace tyndall::hitch {
 using Settings = std::vector<std::string>;  ///< "id=value"
 
 struct Change {
-  std::string what;           ///< "volumetrics.basis_count 16 -> 32"
-  double before = 0;          ///< ms, median of frames with the old value
-  double after = 0;           ///< the same with the new one
-  double worst = 0;           ///< slowest frame from the change until the new value has been drawn three times
-  double secondWorst = 0;     ///< of the same frames
-  int frames = 0;             ///< that went on with the old value
-  double seconds = 0;         ///< until the new value was drawn
+  std::string what;        ///< "volumetrics.basis_count 16 -> 32"
+  double before = 0;       ///< ms, median of frames with the old value
+  double after = 0;        ///< the same with the new one
+  double worst = 0;        ///< slowest frame from the change until the new value has been drawn three times
+  double secondWorst = 0;  ///< of the same frames
+  int frames = 0;          ///< that went on with the old value
+  double seconds = 0;      ///< until the new value was drawn
   double ratio() const { return worst / std::max(before, after); }
 };
 
@@ -38,8 +38,8 @@ class Bench {
   static const Settings& small();
 
  private:
-  double frame();  ///< ms
-  double steady(); ///< ms
+  double frame();   ///< ms
+  double steady();  ///< ms
   std::filesystem::path caches_;
   app::FrameRequest request_;
   std::unique_ptr<app::Session> session_;

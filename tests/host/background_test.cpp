@@ -1,4 +1,5 @@
-// Changed settings that are built beside the frames: what is drawn meanwhile, what wins, what happens to what cannot be made.
+// Changed settings that are built beside the frames: what is drawn meanwhile, what wins, what happens to what cannot be
+// made.
 #include <chrono>
 #include <thread>
 
@@ -49,7 +50,6 @@ TEST_F(BackgroundUpdate, framesGoOnWithTheOldValuesUntilTheNewOnesAreThere) {
     ASSERT_FALSE(picture.empty);
     ++frames;
     EXPECT_EQ(picture.at(0, 0), glm::vec4(frames + 1, frames, 0.25f, 0.5f)) << "the old layout with its history";
-    // What is not structural need not wait.
   });
   EXPECT_GT(frames, 1);
   EXPECT_EQ(last.at(0, 0).r, 1 + kMoments);
@@ -66,8 +66,8 @@ TEST_F(BackgroundUpdate, otherValuesReachTheOldLayoutMeanwhile) {
 }
 
 TEST_F(BackgroundUpdate, theNewestChangeWins) {
-  offerCookies();
-  for (const char* assignment : {"passes.moments=1", "passes.moments=0", "passes.variant=two", "passes.moments=1", "passes.variant=one"}) {
+  for (const char* assignment :
+       {"passes.moments=1", "passes.moments=0", "passes.variant=two", "passes.moments=1", "passes.variant=one"}) {
     set(assignment);
     frame();
   }
@@ -88,8 +88,11 @@ TEST_F(BackgroundUpdate, goingBackIsNoChange) {
 
 TEST_F(BackgroundUpdate, whatCannotBeMadeLeavesTheOldOne) {
   float frames = 1;
-  for (const auto& [how, says] : {std::pair("shader", "missing.comp"), {"binding", "declares binding 7"}, {"pass", "groups[2] is 0"},
-                                  {"huge", "image 'layers'"}, {"null", "layout"}}) {
+  for (const auto& [how, says] : {std::pair("shader", "missing.comp"),
+                                  {"binding", "declares binding 7"},
+                                  {"pass", "groups[2] is 0"},
+                                  {"huge", "image 'layers'"},
+                                  {"null", "layout"}}) {
     set(std::string("passes.break=") + how);
     testing::internal::CaptureStderr();
     const Picture last = settle([&](const Picture& picture) { EXPECT_FALSE(picture.empty), ++frames; });
@@ -119,7 +122,7 @@ TEST_F(BackgroundUpdate, aFrameThatHasNoRoomBringsTheOldOneBack) {
   set("passes.moments=1");
   dropFirstOfNewLayout_ = true;
   const Picture last = settle();
-  dropFirstOfNewLayout_ = false;
+  EXPECT_FALSE(dropFirstOfNewLayout_) << "it was dropped";
   EXPECT_FALSE(last.empty);
   EXPECT_EQ(last.at(0, 0).r, last.at(0, 0).g + 1) << "the old values";
   ASSERT_TRUE(effect_->failure());

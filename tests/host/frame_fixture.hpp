@@ -176,6 +176,7 @@ class FrameFixture : public testing::Test {
     if (also) also(graph);
     Picture picture;
     if (dropFirstOfNewLayout_ && effect_->background() == PluginEffect::Background::kIdle) {
+      dropFirstOfNewLayout_ = false;
       effect_->frameDropped(failed("no room"));
       return picture;
     }

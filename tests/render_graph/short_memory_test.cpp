@@ -43,7 +43,8 @@ class ShortMemory : public GraphGpuTest {
       VkBufferImageCopy region{};
       region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
       region.imageExtent = {4, 1, 1};
-      vkCmdCopyImageToBuffer(c.commands(), c.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, c.buffer(target), 1, &region);
+      vkCmdCopyImageToBuffer(c.commands(), c.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, c.buffer(target), 1,
+                             &region);
     });
     auto compiled = graph.compile();
     if (compiled) {
@@ -64,7 +65,8 @@ TEST_F(ShortMemory, TheOldImagesGoFirstWhenBothHaveNoRoom) {
   TY_EXPECT_OK(frame(kLarge, 5, second));  // the first frame may still be running
   EXPECT_TRUE(waited);
   EXPECT_EQ(refusals, 0);
-  EXPECT_EQ(device->allocatedBytes(), small + VkDeviceSize{4} * kLarge * kLarge * 3 / 4) << "the old ones are gone already";
+  EXPECT_EQ(device->allocatedBytes(), small + VkDeviceSize{4} * kLarge * kLarge * 3 / 4)
+      << "the old ones are gone already";
   TY_EXPECT_OK(device->waitIdle());
   EXPECT_EQ(hostValues<float>(first)[0], 3);
   EXPECT_EQ(hostValues<float>(second)[0], 5);
