@@ -11,7 +11,7 @@ namespace {
 
 // On a driver that runs on the CPU, frames and compiler share the cores: frames first. Threads that the driver starts
 // for the builder's device inherit it.
-constexpr int kNice = 10;
+constexpr int kNice = 5;
 
 // The driver writes its cache on a thread of its own after the compiler is done.
 constexpr std::chrono::milliseconds kCacheWrite{20};

@@ -18,7 +18,7 @@ struct Change {
   double before = 0;       ///< ms, median of frames with the old value
   double after = 0;        ///< the same with the new one
   double worst = 0;        ///< slowest frame from the change until the new value has been drawn three times
-  double secondWorst = 0;  ///< of the same frames
+  std::string slowestPass;  ///< in that frame, with its ms
   int frames = 0;          ///< that went on with the old value
   double seconds = 0;      ///< until the new value was drawn
   double ratio() const { return worst / std::max(before, after); }

@@ -16,8 +16,8 @@ void expectNoHitch(const Settings& start, const std::string& id, const std::vect
   std::vector<double> ratios;
   for (const std::string& value : values) {
     const Change change = bench.change(id, value);
-    std::printf("%-50s before %6.1f ms, after %6.1f, worst %6.1f, ratio %.2f, %d frames in between, %.2f s\n",
-                change.what.c_str(), change.before, change.after, change.worst, change.ratio(), change.frames,
+    std::printf("%-50s before %6.1f ms, after %6.1f, worst %6.1f, ratio %.2f (%s), %d frames in between, %.2f s\n",
+                change.what.c_str(), change.before, change.after, change.worst, change.ratio(), change.slowestPass.c_str(), change.frames,
                 change.seconds);
     EXPECT_GT(change.frames, 0) << change.what << ": nothing was built beside the frames";
     ratios.push_back(change.ratio());

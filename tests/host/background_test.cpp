@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "frame_fixture.hpp"
+#include "host/abi.hpp"
 
 namespace tyndall::host {
 namespace {
@@ -95,7 +96,10 @@ TEST_F(BackgroundUpdate, whatCannotBeMadeLeavesTheOldOne) {
                                   {"null", "layout"}}) {
     set(std::string("passes.break=") + how);
     testing::internal::CaptureStderr();
-    const Picture last = settle([&](const Picture& picture) { EXPECT_FALSE(picture.empty), ++frames; });
+    const Picture last = settle([&](const Picture& picture) {
+      EXPECT_FALSE(picture.empty);
+      ++frames;
+    });
     EXPECT_EQ(last.at(0, 0).g, ++frames) << how;
     ASSERT_TRUE(effect_->failure()) << how;
     EXPECT_THAT(effect_->failure()->message, HasSubstr(says));
@@ -114,7 +118,9 @@ TEST_F(BackgroundUpdate, otherLightsAreFollowedAtOnce) {
   ASSERT_NE(effect_->background(), Background::kIdle);
   addLight(scene::LightKind::kDirectional, glm::vec3(1), 1, 0);
   const Picture picture = frame();
-  if (effect_->background() != Background::kIdle) EXPECT_EQ(picture.at(0, 0).r, 1 + 2) << "with the old values";
+  if (effect_->background() != Background::kIdle) {
+    EXPECT_EQ(picture.at(0, 0).r, 1 + 2) << "with the old values";
+  }
   EXPECT_EQ(settle().at(0, 0).r, 1 + 2 * kMoments + 1);
 }
 
