@@ -13,8 +13,8 @@ namespace tyndall::host {
 
 namespace {
 
-// Fetching one pipeline's code takes llvmpipe a few milliseconds: about as much as a pass of a small picture.
-constexpr std::size_t kFetchedPerFrame = 2;
+// Fetching one pipeline's code takes llvmpipe 5 to 30 ms on one core: about as much as a whole frame of a small picture.
+constexpr std::size_t kFetchedPerFrame = 1;
 
 }  // namespace
 

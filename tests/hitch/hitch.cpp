@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include <time.h>
+
 namespace tyndall::hitch {
 namespace {
 
@@ -22,12 +24,18 @@ void must(const Result<void>& result) {
   if (!result) throw std::runtime_error(result.error().message);
 }
 
+double processSeconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-constexpr int kSteadyFrames = 9;      // whose median is the steady state's time
-constexpr int kFramesAfter = 3;       // of the new value that may show what was left to compile
+constexpr int kSteadyFrames = 5;  // whose median is the steady state's time
+constexpr int kFramesAfter = 3;   // of the new value that may show what was left to compile
 // Between frames, as a window's waits for its images: what is built gets a share of a processor that frames would fill.
-constexpr std::chrono::milliseconds kPause{10};
+constexpr std::chrono::milliseconds kPause{40};
 constexpr double kMostSeconds = 120;  // for a build beside frames that take most of the processor
 
 }  // namespace
@@ -39,7 +47,7 @@ double median(std::vector<double> values) {
 }
 
 const Settings& Bench::small() {
-  static const Settings settings = {"volumetrics.columns=256", "volumetrics.slices=128", "shadows.resolution=512",
+  static const Settings settings = {"volumetrics.columns=256", "volumetrics.slices=128", "shadows.resolution=256",
                                     "volumetrics.prefix_scheme=row", "volumetrics.steps=64"};
   return settings;
 }
@@ -66,21 +74,34 @@ Bench::~Bench() {
   std::filesystem::remove_all(caches_, none);
 }
 
-double Bench::frame() {
+Bench::Times Bench::frame() {
   const auto start = Clock::now();
+  const double cpuStart = processSeconds();
   render::Graph graph(session_->device(), session_->graphMemory());
   const render::FrameOutput output = must(session_->buildFrame(graph, request_));
   must(readback_.addPasses(*session_, graph, output, request_, {true, false, false}));
   must(session_->submitFrame(graph));
   must(session_->finishFrames());
   if (session_->effect().failure()) throw std::runtime_error(session_->effect().failure()->message);
-  return 1000 * secondsSince(start);
+  return {1000 * secondsSince(start), 1000 * (processSeconds() - cpuStart)};
 }
 
-double Bench::steady() {
-  std::vector<double> times;
-  for (int i = 0; i < kSteadyFrames; ++i) times.push_back(frame());
-  return median(std::move(times));
+Bench::Times Bench::steady() {
+  std::vector<double> wall, cpu;
+  for (int i = 0; i < kSteadyFrames; ++i) {
+    const Times times = frame();
+    wall.push_back(times.wall), cpu.push_back(times.cpu);
+  }
+  return {median(std::move(wall)), median(std::move(cpu))};
+}
+
+int Bench::cacheEntries() const {
+  int count = 0;
+  std::error_code none;
+  for (std::filesystem::recursive_directory_iterator entry(caches_ / "mesa", none), end; !none && entry != end;
+       entry.increment(none))
+    if (entry->is_regular_file(none) && entry->path().extension() != ".tmp") ++count;
+  return count;
 }
 
 void Bench::settle(const Settings& settings) {
@@ -88,37 +109,45 @@ void Bench::settle(const Settings& settings) {
   for (const Settings& list : {small(), settings})
     for (const std::string& setting : list) must(session_->table().setAssignment(setting));
   const auto start = Clock::now();
-  do frame();
+  do (void)frame();
   while (session_->effect().background() != Background::kIdle && secondsSince(start) < kMostSeconds);
-  frame();
+  (void)frame();
 }
 
 Change Bench::change(const std::string& id, const std::string& value) {
   params::Table& table = session_->table();
   Change change;
   change.what = id + " " + params::toText(*table.find(id), table.value(id)) + " -> " + value;
-  change.before = steady();
+  const Times before = steady();
+  change.before = before.wall, change.cpuBefore = before.cpu;
   must(table.setText(id, value));
   const auto start = Clock::now();
   const auto timed = [&] {
     std::this_thread::sleep_for(kPause);
-    const double ms = frame();
-    if (ms <= change.worst) return;
-    change.worst = ms;
+    const bool building = session_->effect().background() == Background::kBuilding;
+    const Times times = frame();
+    if (!building) change.cpuWorst = std::max(change.cpuWorst, times.cpu);
+    if (times.wall <= change.worst) return;
+    change.worst = times.wall;
     const auto& passes = session_->lastPassTimes();
     const auto slowest = std::max_element(passes.begin(), passes.end(),
                                           [](const auto& a, const auto& b) { return a.milliseconds < b.milliseconds; });
-    if (slowest != passes.end()) change.slowestPass = slowest->name + " " + std::to_string(std::lround(slowest->milliseconds));
+    if (slowest != passes.end())
+      change.slowestPass = slowest->name + " " + std::to_string(std::lround(slowest->milliseconds));
   };
+  int entries = cacheEntries();
   for (;; ++change.frames) {
     timed();
     if (session_->effect().background() == Background::kIdle) break;
+    entries = cacheEntries();
     if (secondsSince(start) > kMostSeconds)
       throw std::runtime_error(change.what + ": not built in " + std::to_string(kMostSeconds) + " s");
   }
   change.seconds = secondsSince(start);
-  for (int i = 0; i < kFramesAfter; ++i) timed();
-  change.after = steady();
+  for (int i = 1; i < kFramesAfter; ++i) timed();
+  const Times after = steady();
+  change.after = after.wall, change.cpuAfter = after.cpu;
+  change.late = cacheEntries() - entries;
   return change;
 }
 

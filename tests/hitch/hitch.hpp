@@ -14,14 +14,20 @@ namespace tyndall::hitch {
 using Settings = std::vector<std::string>;  ///< "id=value"
 
 struct Change {
-  std::string what;        ///< "volumetrics.basis_count 16 -> 32"
-  double before = 0;       ///< ms, median of frames with the old value
-  double after = 0;        ///< the same with the new one
-  double worst = 0;        ///< slowest frame from the change until the new value has been drawn three times
+  std::string what;         ///< "volumetrics.basis_count 16 -> 32"
+  double before = 0;        ///< ms, median of frames with the old value
+  double after = 0;         ///< the same with the new one
+  double worst = 0;         ///< slowest frame from the change until the new value has been drawn three times
   std::string slowestPass;  ///< in that frame, with its ms
-  int frames = 0;          ///< that went on with the old value
-  double seconds = 0;      ///< until the new value was drawn
+  int frames = 0;           ///< that went on with the old value
+  double seconds = 0;       ///< until the new value was drawn
   double ratio() const { return worst / std::max(before, after); }
+
+  // The same in processor time of the program, which other programs hardly change; of frames once everything was built.
+  double cpuBefore = 0, cpuAfter = 0, cpuWorst = 0;  ///< ms
+  double cpuRatio() const { return cpuWorst / std::max(cpuBefore, cpuAfter); }
+  /// Entries of llvmpipe's cache that frames with the new value added: code that nobody had compiled ahead.
+  int late = 0;
 };
 
 /// An engine with caches of its own that are empty at first: whatever is needed has to be compiled.
@@ -38,8 +44,12 @@ class Bench {
   static const Settings& small();
 
  private:
-  double frame();   ///< ms
-  double steady();  ///< ms
+  struct Times {
+    double wall = 0, cpu = 0;  ///< ms
+  };
+  Times frame();
+  Times steady();
+  int cacheEntries() const;
   std::filesystem::path caches_;
   app::FrameRequest request_;
   std::unique_ptr<app::Session> session_;

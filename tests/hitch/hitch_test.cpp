@@ -8,33 +8,38 @@
 namespace tyndall::hitch {
 namespace {
 
-/// Each step is one change whose pipelines were never made before. Of three, the median: the machine has other things
-/// to do.
-void expectNoHitch(const Settings& start, const std::string& id, const std::vector<std::string>& values) {
-  Bench bench("hall", 320, 180, true);
-  bench.settle(start);
-  std::vector<double> ratios;
-  for (const std::string& value : values) {
-    const Change change = bench.change(id, value);
-    std::printf("%-50s before %6.1f ms, after %6.1f, worst %6.1f, ratio %.2f (%s), %d frames in between, %.2f s\n",
-                change.what.c_str(), change.before, change.after, change.worst, change.ratio(), change.slowestPass.c_str(), change.frames,
-                change.seconds);
-    EXPECT_GT(change.frames, 0) << change.what << ": nothing was built beside the frames";
-    ratios.push_back(change.ratio());
-  }
-  EXPECT_LE(median(ratios), 2.0);
+struct Case {
+  Settings start;
+  std::string id, value;  ///< a change that needs pipelines which were never made
+};
+
+const Case kCases[] = {
+    {{"volumetrics.technique=ray_march"}, "volumetrics.technique", "moments6"},
+    {{"volumetrics.technique=fourier", "volumetrics.basis_count=16"}, "volumetrics.basis_count", "32"},
+    {{"volumetrics.technique=moments4"}, "volumetrics.reference_rays", "1"},
+};
+
+void print(const Change& c) {
+  std::printf(
+      "%-45s before %5.0f ms, after %5.0f, worst %5.0f: ratio %.2f (%s); processor %.0f, %.0f, %.0f: %.2f; %d frames "
+      "in between, %.2f s, %d late\n",
+      c.what.c_str(), c.before, c.after, c.worst, c.ratio(), c.slowestPass.c_str(), c.cpuBefore, c.cpuAfter, c.cpuWorst,
+      c.cpuRatio(), c.frames, c.seconds, c.late);
 }
 
-TEST(Hitch, TechniqueChanges) {
-  expectNoHitch({"volumetrics.technique=ray_march"}, "volumetrics.technique", {"moments6", "fourier", "exact"});
-}
-TEST(Hitch, BasisCountChanges) {
-  expectNoHitch({"volumetrics.technique=fourier", "volumetrics.basis_count=8"}, "volumetrics.basis_count",
-                {"16", "32", "64"});
-}
-TEST(Hitch, PrecisionChanges) {
-  expectNoHitch({"volumetrics.technique=moments4", "volumetrics.precision=compact"}, "volumetrics.precision",
-                {"standard", "full", "compact"});
+TEST(Hitch, ChangedSettingsDoNotHoldUpFrames) {
+  Bench bench("hall", 160, 90, true);
+  std::vector<double> ratios;
+  for (const Case& test : kCases) {
+    bench.settle(test.start);
+    const Change change = bench.change(test.id, test.value);
+    print(change);
+    EXPECT_GT(change.frames, 0) << change.what << ": nothing was built beside the frames";
+    EXPECT_EQ(change.late, 0) << change.what << ": code that was not compiled ahead";
+    EXPECT_LE(change.cpuRatio(), 2.0) << change.what;
+    ratios.push_back(change.ratio());
+  }
+  EXPECT_LE(median(ratios), 2.0) << "of three, the median: the machine has other things to do";
 }
 
 }  // namespace
