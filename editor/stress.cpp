@@ -247,6 +247,9 @@ Result<void> Stress::report(const Stage& stage) {
               mebibytes(start.resident), mebibytes(end.resident), resident);
   std::printf("memory of images and buffers, MiB: %.2f after the warm-up, %.2f at the end (%+.2f)\n",
               mebibytes(start.device), mebibytes(end.device), device);
+  std::printf("  at each return to the defaults:");
+  for (const Memory& memory : atHome_) std::printf(" %.0f", mebibytes(memory.resident));
+  std::printf("\n");
   std::printf("longest frame: %.0f ms, after %s\n", longestMs_, longestAfter_.c_str());
   std::string wrong;
   const auto add = [&wrong](const std::string& what) { wrong += (wrong.empty() ? "" : "; ") + what; };

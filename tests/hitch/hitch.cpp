@@ -35,7 +35,7 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 constexpr int kSteadyFrames = 5;  // whose median is the steady state's time
 constexpr int kFramesAfter = 3;   // of the new value that may show what was left to compile
 // Between frames, as a window's waits for its images: what is built gets a share of a processor that frames would fill.
-constexpr std::chrono::milliseconds kPause{40};
+constexpr std::chrono::milliseconds kPause{80};
 constexpr double kMostSeconds = 120;  // for a build beside frames that take most of the processor
 
 }  // namespace

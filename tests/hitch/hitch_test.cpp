@@ -29,17 +29,16 @@ void print(const Change& c) {
 
 TEST(Hitch, ChangedSettingsDoNotHoldUpFrames) {
   Bench bench("hall", 160, 90, true);
-  std::vector<double> ratios;
   for (const Case& test : kCases) {
     bench.settle(test.start);
     const Change change = bench.change(test.id, test.value);
     print(change);
     EXPECT_GT(change.frames, 0) << change.what << ": nothing was built beside the frames";
     EXPECT_EQ(change.late, 0) << change.what << ": code that was not compiled ahead";
+    // Not the wall clock's ratio: how long the machine makes a frame wait for a processor is not ours. The sweep has
+    // it.
     EXPECT_LE(change.cpuRatio(), 2.0) << change.what;
-    ratios.push_back(change.ratio());
   }
-  EXPECT_LE(median(ratios), 2.0) << "of three, the median: the machine has other things to do";
 }
 
 }  // namespace
