@@ -19,7 +19,8 @@ constexpr std::uint32_t kQuietFrames =
     8;  // drawn at home with nothing left to build, so that what was let go of is gone
 constexpr std::uint32_t kMostQuietFrames = 5000;  // for a build that never ends
 // Growth from the end of the warm-up to the end. Of images and buffers: staging memory grows to the largest level. Of
-// the process: the allocator's and the driver's leftovers (docs/results/hitch.md has what was seen).
+// the process only where the driver is no part of it to speak of: with llvmpipe every frame, also of `tyndall render`,
+// leaves about 2 MiB behind (docs/results/hitch.md).
 constexpr double kDeviceGrowthMiB = 16, kResidentGrowthMiB = 128;
 constexpr std::size_t kPrinted = 8;  // different texts of a list
 
@@ -254,7 +255,7 @@ Result<void> Stress::report(const Stage& stage) {
   std::string wrong;
   const auto add = [&wrong](const std::string& what) { wrong += (wrong.empty() ? "" : "; ") + what; };
   if (messages > 0) add(std::to_string(messages) + " validation messages");
-  if (resident > kResidentGrowthMiB) add("the process grows");
+  if (resident > kResidentGrowthMiB && !stage.session.device().info().isCpu) add("the process grows");
   if (device > kDeviceGrowthMiB) add("images and buffers grow");
   if (!unexpected_.empty())
     add(std::to_string(unexpected_.size()) + " errors without a reason, the first " + unexpected_.front());
