@@ -17,6 +17,7 @@ namespace tyndall::editor {
 namespace {
 
 constexpr double kIdleSeconds = 0.25;      // how long an idle window sleeps: files are looked at once a second
+constexpr double kBuildingSeconds = 0.01;  // the same while something is built beside the frames
 constexpr float kMaxFlightSeconds = 0.25f; // a slow frame must not throw the camera through a wall
 constexpr float kFirstFlightSeconds = 1.0f / 30;  // the first frame of a flight: the time before it was not flown
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -83,6 +84,7 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   auto session = app::Session::open(catalogue.take(), device);
   if (!session) return session.error();
   editor->session_ = session.take();
+  editor->session_->buildInBackground(true);
   if (auto fits = app::checkSize("--size", options.size, editor->session_->maxSide(), editor->session_->device().info().name + " takes"); !fits)
     return fits.error();
   const scene::Bounds bounds = scene::worldBounds(level->scene, level->worldFromNode(options.seconds));
@@ -102,9 +104,16 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
 }
 
 Result<void> Editor::run() {
+  if (options_.stress > 0) stress_ = std::make_unique<Stress>(options_.stress, options_.seed);
   while (!window_->closing()) {
+    if (stress_) {
+      auto going = stress_->act({*session_, workspace_, *window_, pictures_});
+      if (!going) return going.error();
+      if (!*going) break;
+    }
     const bool idle = options_.frames == 0 && frames_ > 2 && !moving_ && !pictureWanted();
-    if (idle) window_->wait(kIdleSeconds);
+    const bool building = session_->effect().background() == host::PluginEffect::Background::kBuilding;
+    if (idle) window_->wait(building ? kBuildingSeconds : kIdleSeconds);
     else window_->poll();
     auto drawn = step();
     if (!drawn) return drawn.error();
@@ -112,6 +121,8 @@ Result<void> Editor::run() {
     if (options_.frames > 0 && frames_ >= options_.frames) break;
   }
   if (auto finished = session_->finishFrames(); !finished) return finished;
+  if (stress_)
+    if (auto good = stress_->report({*session_, workspace_, *window_, pictures_}); !good) return good;
   const std::uint32_t messages = session_->device().validationMessages();
   if (messages > 0) return failed("--validate: the validation layer gave " + std::to_string(messages) + " messages (above); none is right");
   return writeScreenshot();

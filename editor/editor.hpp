@@ -12,6 +12,7 @@
 #include "options.hpp"
 #include "parameter_panel.hpp"
 #include "state_file.hpp"
+#include "stress.hpp"
 #include "swapchain.hpp"
 #include "watcher.hpp"
 #include "window.hpp"
@@ -70,6 +71,7 @@ class Editor {
   ParameterPanel parameters_;
   Watcher watcher_;
   Workspace workspace_;
+  std::unique_ptr<Stress> stress_;  ///< random use instead of a user's
   StateFile state_;
   std::uint32_t viewWidth_ = 0, viewHeight_ = 0;  ///< pixels of the viewport
   std::uint32_t frames_ = 0, pictures_ = 0;

@@ -24,7 +24,8 @@ void addCopy(render::Graph& graph, const char* name, render::ImageRef from, rend
 
 bool Editor::pictureWanted() const {
   const bool otherSize = !picture_ || picture_.desc().width != viewWidth_ || picture_.desc().height != viewHeight_;
-  return workspace_.changed || workspace_.playing || workspace_.continuous || options_.frames > 0 || otherSize;
+  return workspace_.changed || workspace_.playing || workspace_.continuous || options_.frames > 0 || otherSize ||
+         session_->effect().background() == host::PluginEffect::Background::kReady;
 }
 
 Result<void> Editor::renderPicture() {
@@ -50,6 +51,8 @@ Result<void> Editor::renderPicture() {
   addCopy(graph, "keep picture", output->picture, shown);
   if (auto submitted = session_->submitFrame(graph); !submitted) return submitted;
   if (next) picture_ = std::move(next);
+  if (session_->statistics().waitedForMemory)
+    workspace_.tell("memory is short: the images before had to go before the new ones could be made", false);
   ++pictures_;
   timesTaken_ = false;
   return {};

@@ -23,6 +23,8 @@ struct Options {
   double seconds = 0;
   std::filesystem::path screenshot, state;               ///< "" = not asked for
   std::string device;
+  std::uint32_t stress = 0;                              ///< steps of random use; 0: none, a user's
+  std::uint32_t seed = 1;                                ///< of the random use
   bool validate = false, help = false;
 };
 

@@ -7,6 +7,8 @@
 namespace tyndall::editor {
 namespace {
 
+constexpr std::uint32_t kMostLosses = 20;  // then it is no passing trouble of the window system
+
 Error failure(const char* what, VkResult result) {
   return failed(std::string("window: ") + what + " (VkResult " + std::to_string(result) + ")");
 }
@@ -20,14 +22,8 @@ VkSemaphore makeSemaphore(VkDevice device) {
 }  // namespace
 
 Result<std::unique_ptr<Swapchain>> Swapchain::create(gpu::Device& device, const Window& window) {
-  std::unique_ptr<Swapchain> made(new Swapchain(device));
-  auto surface = window.createSurface(device.instance());
-  if (!surface) return surface.error();
-  made->surface_ = *surface;
-  VkBool32 supported = VK_FALSE;
-  vkGetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queueFamily(), made->surface_, &supported);
-  if (!supported) return failed("window: " + device.info().name + " cannot present to it; choose another with --device");
-  if (auto chosen = made->chooseFormat(); !chosen) return chosen.error();
+  std::unique_ptr<Swapchain> made(new Swapchain(device, window));
+  if (auto surface = made->makeSurface(); !surface) return surface.error();
   for (VkSemaphore& semaphore : made->acquired_)
     if (!(semaphore = makeSemaphore(device.handle()))) return failed("window: no semaphore");
   return made;
@@ -35,10 +31,41 @@ Result<std::unique_ptr<Swapchain>> Swapchain::create(gpu::Device& device, const 
 
 Swapchain::~Swapchain() {
   (void)device_.waitIdle();  // nothing can be reported from here
-  destroyImages();
+  destroySurface();
   for (VkSemaphore semaphore : acquired_) vkDestroySemaphore(device_.handle(), semaphore, nullptr);
+}
+
+Result<void> Swapchain::makeSurface() {
+  auto surface = window_.createSurface(device_.instance());
+  if (!surface) return surface.error();
+  surface_ = *surface;
+  VkBool32 supported = VK_FALSE;
+  vkGetPhysicalDeviceSurfaceSupportKHR(device_.physical(), device_.queueFamily(), surface_, &supported);
+  if (!supported) return failed("window: " + device_.info().name + " cannot present to it; choose another with --device");
+  const VkFormat before = format_.format;
+  if (auto chosen = chooseFormat(); !chosen) return chosen.error();
+  // What draws the window is made for its format.
+  if (before != VK_FORMAT_UNDEFINED && before != format_.format) return failed("window: its new surface offers another format than the lost one");
+  return {};
+}
+
+void Swapchain::destroySurface() {
+  destroyImages();
   vkDestroySwapchainKHR(device_.handle(), swapchain_, nullptr);
+  swapchain_ = VK_NULL_HANDLE;
   if (surface_) vkDestroySurfaceKHR(device_.instance(), surface_, nullptr);
+  surface_ = VK_NULL_HANDLE;
+  stale_ = true;
+}
+
+/// Puts a new surface in the place of one that the window system has taken away.
+Result<bool> Swapchain::lose() {
+  if (++losses_ > kMostLosses) return failed("window: its surface is lost again and again");
+  if (auto idle = device_.waitIdle(); !idle) return idle.error();
+  destroySurface();
+  lost_ = false;
+  if (auto made = makeSurface(); !made) return made.error();
+  return false;
 }
 
 void Swapchain::destroyImages() {
@@ -62,23 +89,26 @@ Result<void> Swapchain::chooseFormat() {
 }
 
 Result<bool> Swapchain::fit(std::pair<std::uint32_t, std::uint32_t> pixels) {
+  if (lost_)
+    if (auto made = lose(); !made) return made;
   if (pixels.first == 0 || pixels.second == 0) return false;
   if (!stale_ && extent_.width == pixels.first && extent_.height == pixels.second) return true;
   VkSurfaceCapabilitiesKHR surface{};
-  if (const VkResult result = vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &surface))
-    return failure("its surface cannot be read", result);
+  const VkResult result = vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &surface);
+  if (result == VK_ERROR_SURFACE_LOST_KHR) return lose();
+  if (result) return failure("its surface cannot be read", result);
   if (!(surface.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT)) return failed("window: its images cannot be copied to");
   VkExtent2D extent = surface.currentExtent;
   if (extent.width == std::numeric_limits<std::uint32_t>::max())  // the surface takes the size of its images
     extent = {std::clamp(pixels.first, surface.minImageExtent.width, surface.maxImageExtent.width),
               std::clamp(pixels.second, surface.minImageExtent.height, surface.maxImageExtent.height)};
   if (extent.width == 0 || extent.height == 0) return false;
-  if (auto made = make(extent, surface); !made) return made.error();
-  return true;
+  auto made = make(extent, surface);
+  return made && !*made ? lose() : made;
 }
 
-Result<void> Swapchain::make(VkExtent2D extent, const VkSurfaceCapabilitiesKHR& surface) {
-  if (auto idle = device_.waitIdle(); !idle) return idle;
+Result<bool> Swapchain::make(VkExtent2D extent, const VkSurfaceCapabilitiesKHR& surface) {
+  if (auto idle = device_.waitIdle(); !idle) return idle.error();
   destroyImages();
   VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
   info.surface = surface_;
@@ -96,6 +126,7 @@ Result<void> Swapchain::make(VkExtent2D extent, const VkSurfaceCapabilitiesKHR& 
   const VkResult result = vkCreateSwapchainKHR(device_.handle(), &info, nullptr, &made);
   vkDestroySwapchainKHR(device_.handle(), swapchain_, nullptr);
   swapchain_ = result == VK_SUCCESS ? made : VK_NULL_HANDLE;
+  if (result == VK_ERROR_SURFACE_LOST_KHR) return false;
   if (result) return failure("no swapchain", result);
   std::uint32_t count = 0;
   vkGetSwapchainImagesKHR(device_.handle(), swapchain_, &count, nullptr);
@@ -107,7 +138,7 @@ Result<void> Swapchain::make(VkExtent2D extent, const VkSurfaceCapabilitiesKHR& 
   }
   extent_ = extent;
   stale_ = false;
-  return {};
+  return true;
 }
 
 Result<std::optional<Swapchain::Target>> Swapchain::acquire() {
@@ -116,12 +147,14 @@ Result<std::optional<Swapchain::Target>> Swapchain::acquire() {
   Target target;
   const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_, std::numeric_limits<std::uint64_t>::max(), semaphore,
                                                 VK_NULL_HANDLE, &target.index);
-  if (result == VK_ERROR_OUT_OF_DATE_KHR) {
+  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_ERROR_SURFACE_LOST_KHR) {
     stale_ = true;
+    lost_ = result == VK_ERROR_SURFACE_LOST_KHR;
     return std::optional<Target>();
   }
   if (result == VK_SUBOPTIMAL_KHR) stale_ = true;  // it can still be shown this once
   else if (result) return failure("no image to draw into", result);
+  losses_ = 0;
   target.image = images_[target.index];
   target.signals = {semaphore, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, drawn_[target.index]};
   return std::optional<Target>(target);
@@ -132,7 +165,8 @@ Result<void> Swapchain::present(const Target& target) {
   info.waitSemaphoreCount = 1, info.pWaitSemaphores = &target.signals.signal;
   info.swapchainCount = 1, info.pSwapchains = &swapchain_, info.pImageIndices = &target.index;
   const VkResult result = vkQueuePresentKHR(device_.queue(), &info);
-  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) stale_ = true;
+  lost_ = result == VK_ERROR_SURFACE_LOST_KHR;
+  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR || lost_) stale_ = true;
   else if (result) return failure("a frame cannot be shown", result);
   return {};
 }

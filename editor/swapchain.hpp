@@ -26,7 +26,8 @@ class Swapchain {
   VkExtent2D extent() const { return extent_; }
 
   /// Makes the images anew when the window has another size or the surface asked for it. False while the window has no area.
-  /// (Some systems never say "out of date", so the size is compared each time.)
+  /// (Some systems never say "out of date", so the size is compared each time.) Also makes a new surface when the last one was
+  /// lost; false while that fails, an error when it goes on failing.
   Result<bool> fit(std::pair<std::uint32_t, std::uint32_t> pixels);
 
   struct Target {
@@ -40,12 +41,17 @@ class Swapchain {
   Result<void> present(const Target& target);
 
  private:
-  Swapchain(gpu::Device& device) : device_(device) {}
+  Swapchain(gpu::Device& device, const Window& window) : device_(device), window_(window) {}
+  Result<void> makeSurface();
   Result<void> chooseFormat();
-  Result<void> make(VkExtent2D extent, const VkSurfaceCapabilitiesKHR& surface);
+  /// False: the surface is lost.
+  Result<bool> make(VkExtent2D extent, const VkSurfaceCapabilitiesKHR& surface);
   void destroyImages();
+  void destroySurface();
+  Result<bool> lose();
 
   gpu::Device& device_;
+  const Window& window_;
   VkSurfaceKHR surface_ = VK_NULL_HANDLE;
   VkSurfaceFormatKHR format_{};
   VkExtent2D extent_{0, 0};
@@ -54,6 +60,8 @@ class Swapchain {
   std::vector<VkSemaphore> drawn_;              ///< per image: its presentation waits for it
   std::array<VkSemaphore, 2> acquired_{};       ///< per frame in flight
   bool stale_ = true;
+  bool lost_ = false;         ///< the surface: the next fit() makes another
+  std::uint32_t losses_ = 0;  ///< of surfaces, since an image could be drawn to
 };
 
 }  // namespace tyndall::editor

@@ -52,6 +52,9 @@ void Window::poll() { glfwPollEvents(); }
 void Window::wait(double seconds) { glfwWaitEventsTimeout(seconds); }
 bool Window::closing() const { return glfwWindowShouldClose(window_); }
 void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+void Window::resize(std::uint32_t width, std::uint32_t height) {
+  glfwSetWindowSize(window_, static_cast<int>(width), static_cast<int>(height));
+}
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 bool Window::keyDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
 

@@ -34,6 +34,7 @@ class Window {
   void close();
   /// Size in pixels; 0 by 0 while the window is minimised.
   std::pair<std::uint32_t, std::uint32_t> pixels() const;
+  void resize(std::uint32_t width, std::uint32_t height);
   void setTitle(const std::string& title);
 
   /// True while the key (GLFW_KEY_*) is down, and once for a tap that came and went since the last call.

@@ -66,6 +66,7 @@ Result<render::FrameOutput> Session::buildFrame(render::Graph& graph, const Fram
   auto output = renderer_->addFrame(graph, input);
   if (!output) {
     (void)device_->endFrame();  // the reason of the failure is told, not that of an empty submission
+    effect_->frameDropped(output.error());
     return output;
   }
   commands_ = *commands;
@@ -92,10 +93,15 @@ Result<void> Session::submitFrame(render::Graph& graph, const gpu::FrameSignals&
   }();
   if (!recorded) {
     (void)device_->endFrame();
+    effect_->frameDropped(recorded.error());
     return recorded;
   }
   slot.passes = graph.passes();
-  if (auto submitted = device_->endFrame(signals); !submitted) return submitted;
+  if (auto submitted = device_->endFrame(signals); !submitted) {
+    effect_->frameDropped(submitted.error());
+    return submitted;
+  }
+  effect_->frameSubmitted();
   slot.waiting = true;
   return {};
 }
@@ -138,8 +144,14 @@ Result<void> Session::reloadPlugin() {
   auto effect = host::PluginEffect::create(*device_, catalogue_->effectPlugin(), table());
   if (!effect) return effect.error();
   effect_ = effect.take();
+  effect_->buildInBackground(inBackground_);
   cut_ = true;
   return replaced;
+}
+
+void Session::buildInBackground(bool on) {
+  inBackground_ = on;
+  effect_->buildInBackground(on);
 }
 
 std::vector<std::string> Session::reloadShaders() {

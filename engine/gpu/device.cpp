@@ -12,10 +12,14 @@
 namespace tyndall::gpu {
 
 Resource::Resource(Device::State& owner, std::string resourceName) : device(owner), name(std::move(resourceName)) {
+  const std::lock_guard lock(device.liveMutex);
   device.live.insert(this);
 }
 
-Resource::~Resource() { device.live.erase(this); }
+Resource::~Resource() {
+  const std::lock_guard lock(device.liveMutex);
+  device.live.erase(this);
+}
 
 Device::~Device() = default;
 
@@ -37,7 +41,7 @@ Device::State::~State() {
     vkDestroyDevice(device, nullptr);
   }
   if (messenger) vkDestroyDebugUtilsMessengerEXT(instance, messenger, nullptr);
-  if (instance) vkDestroyInstance(instance, nullptr);
+  if (instance && !sibling) vkDestroyInstance(instance, nullptr);
 }
 
 const DeviceInfo& Device::info() const { return state_->info; }

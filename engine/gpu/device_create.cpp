@@ -177,4 +177,21 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
   return device;
 }
 
+Result<std::unique_ptr<Device>> Device::createSibling() const {
+  std::unique_ptr<Device> device(new Device);
+  device->state_ = std::make_unique<State>();
+  State& state = *device->state_;
+  state.instance = state_->instance;
+  state.sibling = true;
+  state.physical = state_->physical;
+  state.family = state_->family;
+  state.debugNames = state_->debugNames;
+  if (auto made = createLogicalDevice(state, {}); !made) return made.error();
+  state.allocator = std::make_unique<Allocator>(state.physical, state.device);
+  state.info = state_->info;
+  state.maxBufferBytes = state_->maxBufferBytes;
+  if (auto made = createFrameObjects(state); !made) return made.error();
+  return device;
+}
+
 }  // namespace tyndall::gpu

@@ -34,7 +34,7 @@ Result<void> Device::State::waitForFrame(std::uint64_t frame) const {
 
 void Device::State::retire(std::unique_ptr<Resource> resource) {
   // The frame being recorded may use it; a one-shot command buffer being recorded is waited for before collect().
-  const std::uint64_t frame = recording ? submitted + 1 : submitted;
+  const std::uint64_t frame = recording && !unused ? submitted + 1 : submitted;
   if (oneShots == 0 && frame <= finishedFrames()) return;  // destroyed here
   retired.push_back({frame, std::move(resource)});
 }
@@ -118,6 +118,16 @@ Result<void> Device::waitIdle() {
   if (const VkResult result = vkDeviceWaitIdle(state_->device))
     return vkFailed("Vulkan: waiting for the device", result);
   state_->collect();
+  return {};
+}
+
+Result<void> Device::destroyNow(const std::function<void()>& letGo) {
+  if (auto idle = waitIdle(); !idle) return idle;
+  // What the frame being recorded let go of before waits for that frame, although nothing of it is recorded there yet.
+  if (state_->oneShots == 0) state_->retired.clear();
+  state_->unused = true;
+  letGo();
+  state_->unused = false;
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -40,6 +41,7 @@ struct Device::State {
   DeviceInfo info;
   ValidationLog validation;
   VkInstance instance = VK_NULL_HANDLE;
+  bool sibling = false;  ///< the instance is another device's
   VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
   VkPhysicalDevice physical = VK_NULL_HANDLE;
   VkDevice device = VK_NULL_HANDLE;
@@ -73,6 +75,8 @@ struct Device::State {
     std::unique_ptr<Resource> resource;
   };
   std::vector<Retired> retired;
+  bool unused = false;  ///< what is let go of now is in no frame, not even in the one being recorded
+  std::mutex liveMutex;  ///< pipelines are made on other threads too
   std::unordered_set<const Resource*> live;
 
   std::vector<std::pair<std::vector<std::byte>, VkSampler>> samplers;

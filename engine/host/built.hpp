@@ -13,6 +13,7 @@ namespace tyndall::host {
 
 /// Shared with the passes of graphs that are not recorded yet.
 struct Built {
+  TyInstance* instance = nullptr;  ///< whose last layout() this is made from, and which prepares its frames
   Structure structure;
   Layout layout;
   std::vector<PassRun> runs;

@@ -25,24 +25,20 @@ Result<render::ImageRef> PluginEffect::addPasses(const render::EffectInput& inpu
   State::Pending& pending = s.pending.emplace_back();
   pending.slot = static_cast<std::uint32_t>(s.frame++ % kFrameSlots);
 
-  const Structure wanted = makeStructure(input, s.plugin.parameters(), s.table);
-  if (s.failure && s.asked && s.asked->sameLayout(wanted)) return render::ImageRef{};
-  s.failure.reset();
-  if (auto updated = s.update(wanted, static_cast<bool>(input.drawCasters)); !updated) {
-    s.failure = failed("plugin '" + s.plugin.id() + "': " + updated.error().message);
-    log::error(s.failure->message + "; it is off until its settings change");
-    s.built.reset();
-    return render::ImageRef{};
-  }
-  if (s.built->layout.passes.empty() || !s.prepare(input, wanted)) return render::ImageRef{};
+  s.open = true;
+  s.before.reset();
+  s.redraw = false;
+  if (!s.bring(makeStructure(input, s.plugin.parameters(), s.table), input)) return render::ImageRef{};
+  if (s.built->layout.passes.empty() || !s.prepare(input)) return render::ImageRef{};
 
   s.built->uniforms.commit(pending.slot);
   s.refs = addFramePasses(input, s.built, s.plugin.id(), pending.slot);
   pending.built = s.built;
   pending.refs = s.refs;
-  for (const State::Automatic& a : s.automatics) {
+  for (const Automatic& a : s.asked->automatics) {
     const auto choice = s.tuner.current(a.key, a.tunable.variants);
     if (choice.settled) continue;
+    if (s.built->structure.values[a.tunable.parameter] != a.tunable.variants[choice.variant]) break;  // it is still being made
     pending.timedLights = s.lightsOf(a.tunable.passes);
     pending.timedKey = a.key;
     pending.timedVariant = choice.variant;
@@ -120,7 +116,8 @@ std::vector<std::pair<std::string, std::uint64_t>> PluginEffect::counters() cons
 std::vector<std::pair<std::string, std::string>> PluginEffect::resolved() const {
   State& s = *state_;
   std::vector<std::pair<std::string, std::string>> in_use;
-  for (const State::Automatic& a : s.automatics) {
+  if (!s.asked) return in_use;
+  for (const Automatic& a : s.asked->automatics) {
     const params::Parameter& p = s.plugin.parameters()[a.tunable.parameter];
     in_use.emplace_back(p.id,
                         params::toText(p, a.tunable.variants[s.tuner.current(a.key, a.tunable.variants).variant]));
@@ -131,15 +128,17 @@ std::vector<std::pair<std::string, std::string>> PluginEffect::resolved() const 
 std::vector<std::pair<std::string, std::string>> PluginEffect::remembered() const {
   State& s = *state_;
   // The last call of the plugin's layout() must stay the one that `built` was made from.
-  std::vector<State::Automatic> automatics = s.automatics;
-  if (!s.built) {
+  std::vector<Automatic> automatics;
+  if (s.built) {
+    automatics = s.asked->automatics;
+  } else {
     Structure structure;
     const auto layout = s.preview(structure);
     if (!layout) return {};
     automatics = s.automaticsOf(structure, *layout);
   }
   std::vector<std::pair<std::string, std::string>> known;
-  for (const State::Automatic& a : automatics) {
+  for (const Automatic& a : automatics) {
     const params::Parameter& p = s.plugin.parameters()[a.tunable.parameter];
     const double* fastest = s.tuner.remembered(a.key);
     const bool valid = fastest && std::find(a.tunable.variants.begin(), a.tunable.variants.end(), *fastest) != a.tunable.variants.end();
@@ -153,9 +152,16 @@ std::vector<std::string> PluginEffect::reloadShaders() {
   bool changed = false;
   auto lines = s.pipelines.reload(changed);
   if (!changed) return lines;
-  if (s.failure) s.failure.reset(), s.asked.reset();  // the new code may be what was missing
-  if (!s.built) return lines;
-  auto pipelines = s.pipelines.of(s.built->layout);
+  // The new code may be what was missing, and what is coming would be the old one's.
+  s.forgetComing();
+  s.askedNext.reset();
+  s.failure.reset();
+  if (!s.built) {
+    s.asked.reset();
+    return lines;
+  }
+  auto plans = s.pipelines.plan(s.built->layout);
+  auto pipelines = plans ? s.pipelines.of(*plans) : plans.error();
   if (pipelines)
     s.built->pipelines = pipelines.take();
   else

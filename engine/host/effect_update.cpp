@@ -1,6 +1,7 @@
 // From what is asked for to a layout made real, and the call of prepare().
 #include <algorithm>
 
+#include "base/log.hpp"
 #include "effect_state.hpp"
 
 namespace tyndall::host {
@@ -12,11 +13,11 @@ std::string deviceName(const gpu::DeviceInfo& info) { return info.name + '|' + i
 }  // namespace
 
 /// Asks the plugin and copies and checks what it says.
-Result<Layout> PluginEffect::State::ask(const Structure& structure) {
+Result<Layout> PluginEffect::State::ask(TyInstance* instance, const Structure& structure) {
   Plugin::State& p = plugin.state();
   const TyDevice deviceAbi = makeDevice(device.info());
   const TyStructure structureAbi = structure.abi();
-  auto layout = copyLayout(p.plugin.layout(p.instance, &deviceAbi, &structureAbi));
+  auto layout = copyLayout(p.plugin.layout(instance, &deviceAbi, &structureAbi));
   if (!layout) return layout;
   if (auto good = checkLayout(*layout, makeLimits(device.info()), structure.context()); !good) return good.error();
   const auto& parameters = plugin.parameters();
@@ -39,10 +40,10 @@ Result<Layout> PluginEffect::State::preview(Structure& structure) {
     structure.values.push_back(table.value(p.id));
     structure.structural.push_back(p.structural);
   }
-  return ask(structure);
+  return ask(plugin.state().instance, structure);
 }
 
-std::vector<PluginEffect::State::Automatic> PluginEffect::State::automaticsOf(const Structure& wanted, const Layout& layout) const {
+std::vector<Automatic> PluginEffect::State::automaticsOf(const Structure& wanted, const Layout& layout) const {
   std::vector<Automatic> found;
   // Techniques may share a kernel with other constants.
   std::string owner = plugin.id() + ' ' + plugin.version();
@@ -56,10 +57,18 @@ std::vector<PluginEffect::State::Automatic> PluginEffect::State::automaticsOf(co
   return found;
 }
 
-Result<void> PluginEffect::State::build(Structure structure, bool castersOffered) {
-  auto layout = ask(structure);
+Structure PluginEffect::State::resolved(const Structure& wanted, const std::vector<Automatic>& list) {
+  Structure structure = wanted;
+  for (const Automatic& a : list)
+    structure.values[a.tunable.parameter] = a.tunable.variants[tuner.current(a.key, a.tunable.variants).variant];
+  return structure;
+}
+
+Result<std::shared_ptr<Built>> PluginEffect::State::describe(TyInstance* instance, Structure structure, bool castersOffered) {
+  auto layout = ask(instance, structure);
   if (!layout) return layout.error();
   auto next = std::make_shared<Built>();
+  next->instance = instance;
   next->structure = std::move(structure);
   next->layout = layout.take();
   next->runs = expandPasses(next->layout, next->structure.lightKinds);
@@ -70,43 +79,75 @@ Result<void> PluginEffect::State::build(Structure structure, bool castersOffered
     if (!uses) return uses.error();
     next->uses.push_back(uses.take());
   }
-  auto made = pipelines.of(next->layout);
-  if (!made) return made.error();
-  next->pipelines = made.take();
-  auto resources = makeResources(device, next->layout);
+  return next;
+}
+
+Result<void> PluginEffect::State::furnish(Built& next) {
+  auto resources = makeResources(device, next.layout);
   if (!resources) return resources.error();
-  next->resources = resources.take();
-  auto uniforms = UniformRing::create(
-      device, next->layout, static_cast<std::uint32_t>(next->structure.lightKinds.size()), plugin.id() + " uniforms");
+  next.resources = resources.take();
+  auto uniforms = UniformRing::create(device, next.layout, static_cast<std::uint32_t>(next.structure.lightKinds.size()),
+                                      plugin.id() + " uniforms");
   if (!uniforms) return uniforms.error();
-  next->uniforms = uniforms.take();
-  built = std::move(next);
+  next.uniforms = uniforms.take();
+  return {};
+}
+
+Result<void> PluginEffect::State::build(TyInstance* instance, Structure structure, const render::EffectInput& input) {
+  auto next = describe(instance, std::move(structure), static_cast<bool>(input.drawCasters));
+  if (!next) return next.error();
+  auto plans = pipelines.plan((*next)->layout);
+  if (!plans) return plans.error();
+  auto made = pipelines.of(*plans);
+  if (!made) return made.error();
+  (*next)->pipelines = made.take();
+  if (auto furnished = furnish(**next); !furnished) return furnished;
+  built = next.take();
+  noteCompiled(*built, *plans, input);
   reset = true;
   return {};
 }
 
-/// Puts the variant in use in the place of each automatic value. One tunable is timed at a time.
-void PluginEffect::State::resolve(Structure& structure) {
-  for (const Automatic& a : automatics)
-    structure.values[a.tunable.parameter] = a.tunable.variants[tuner.current(a.key, a.tunable.variants).variant];
+/// Brings `built` up to the table's values, now or in time. False: there is nothing to draw with.
+bool PluginEffect::State::bring(const Structure& wanted, const render::EffectInput& input) {
+  const auto refuse = [&](const Error& error, const char* consequence) {
+    failure = failed("plugin '" + plugin.id() + "': " + error.message);
+    refused = wanted;
+    log::error(failure->message + consequence);
+  };
+  constexpr const char* kOff = "; it is off until its settings change";
+  if (!failure || !refused.sameLayout(wanted)) {
+    failure.reset();
+    const bool beside = background && built;
+    if (auto updated = beside ? updateInBackground(wanted, input) : update(wanted, input); !updated) {
+      forgetComing();
+      askedNext.reset();
+      if (!beside) built.reset();
+      refuse(updated.error(), beside ? "; the settings before go on" : kOff);
+    }
+  }
+  if (!background || !built) return !failure && built;
+  if (auto kept = keepUp(wanted, input); !kept) {
+    built.reset();
+    refuse(kept.error(), kOff);
+  }
+  return built != nullptr;
 }
 
-/// Brings `built` up to what is asked for. The last call of the plugin's layout() is always the one `built` was made
-/// from.
-Result<void> PluginEffect::State::update(const Structure& wanted, bool castersOffered) {
-  if (!asked || !asked->sameLayout(wanted)) {
-    asked = wanted;
-    automatics.clear();
+/// Brings `built` up to what is asked for.
+Result<void> PluginEffect::State::update(const Structure& wanted, const render::EffectInput& input) {
+  TyInstance* const instance = plugin.state().instance;
+  if (!asked || !asked->structure.sameLayout(wanted)) {
+    asked = Asked{wanted, {}};
     built.reset();
-    auto layout = ask(wanted);
+    auto layout = ask(instance, wanted);
     if (!layout) return layout.error();
-    automatics = automaticsOf(wanted, *layout);
+    asked->automatics = automaticsOf(wanted, *layout);
   }
-  Structure resolved = wanted;
-  resolve(resolved);
-  if (built && built->structure.sameLayout(resolved)) return {};
+  Structure structure = resolved(wanted, asked->automatics);
+  if (built && built->structure.sameLayout(structure)) return {};
   built.reset();  // before the new one is made: both at once may not fit
-  return build(std::move(resolved), castersOffered);
+  return build(instance, std::move(structure), input);
 }
 
 std::set<std::uint32_t> PluginEffect::State::lightsOf(const std::vector<std::string>& passes) const {
@@ -118,9 +159,11 @@ std::set<std::uint32_t> PluginEffect::State::lightsOf(const std::vector<std::str
   return lights;
 }
 
-bool PluginEffect::State::prepare(const render::EffectInput& input, const Structure& wanted) {
-  Structure resolved = wanted;
-  resolve(resolved);
+bool PluginEffect::State::prepare(const render::EffectInput& input) {
+  // Of structural parameters, the values that the layout was made for: the table may be ahead of it.
+  std::vector<double> values = built->structure.values;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!built->structure.structural[i]) values[i] = table.value(plugin.parameters()[i].id);
   const TyView view = makeView(input.view);
   std::vector<TyLight> lights;
   for (const render::ShadowedLight& light : input.lights) lights.push_back(makeLight(light));
@@ -130,10 +173,9 @@ bool PluginEffect::State::prepare(const render::EffectInput& input, const Struct
   abi.view = &view;
   abi.lights = lights.data();
   abi.light_count = static_cast<std::uint32_t>(lights.size());
-  abi.values = resolved.values.data();
-  abi.value_count = static_cast<std::uint32_t>(resolved.values.size());
-  Plugin::State& p = plugin.state();
-  if (!p.plugin.prepare(p.instance, &abi, &built->uniforms.begin())) return false;
+  abi.values = values.data();
+  abi.value_count = static_cast<std::uint32_t>(values.size());
+  if (!plugin.state().plugin.prepare(built->instance, &abi, &built->uniforms.begin())) return false;
   reset = false;
   return true;
 }

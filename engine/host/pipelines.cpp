@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "base/assert.hpp"
 #include "full_screen_vert.h"
 #include "resources.hpp"
 #include "spirv_interface.hpp"
@@ -56,8 +57,12 @@ Pipelines::Pipelines(gpu::Device& device, const std::filesystem::path& shaderFol
   fullScreen_ = std::move(shader);
 }
 
-Result<gpu::Pipeline> Pipelines::make(const Layout& layout, const LayoutPass& pass,
-                                      std::shared_ptr<const gpu::Shader> shader) {
+Result<gpu::Pipeline> makePipeline(gpu::Device& device, const PipelinePlan& plan) {
+  return plan.graphics ? gpu::createPipeline(device, plan.fullScreen) : gpu::createPipeline(device, plan.compute);
+}
+
+Result<PipelinePlan> Pipelines::planOf(const Layout& layout, const LayoutPass& pass,
+                                       std::shared_ptr<const gpu::Shader> shader) const {
   std::vector<gpu::Binding> bindings;
   std::vector<ShaderBinding> given;
   for (const TyBinding& b : pass.bindings) {
@@ -69,15 +74,17 @@ Result<gpu::Pipeline> Pipelines::make(const Layout& layout, const LayoutPass& pa
   std::vector<gpu::Specialization> constants;
   for (const TySpecialization& s : pass.specializations) constants.push_back({s.id, s.value});
 
-  if (pass.d.kind != TY_PASS_FULL_SCREEN) {
-    gpu::ComputePipelineDesc desc;
-    desc.name = pass.name;
-    desc.shader = std::move(shader);
-    desc.bindings = std::move(bindings);
-    desc.specialization = std::move(constants);
-    return gpu::createPipeline(device_, desc);
+  PipelinePlan plan;
+  plan.key = keyOf(layout, pass, *shader);
+  plan.graphics = pass.d.kind == TY_PASS_FULL_SCREEN;
+  if (!plan.graphics) {
+    plan.compute.name = pass.name;
+    plan.compute.shader = std::move(shader);
+    plan.compute.bindings = std::move(bindings);
+    plan.compute.specialization = std::move(constants);
+    return plan;
   }
-  gpu::GraphicsPipelineDesc desc;
+  gpu::GraphicsPipelineDesc& desc = plan.fullScreen;
   desc.name = pass.name;
   desc.vertex = fullScreen_;
   desc.fragment = std::move(shader);
@@ -91,32 +98,54 @@ Result<gpu::Pipeline> Pipelines::make(const Layout& layout, const LayoutPass& pa
                         : pass.d.depth_compare == 2 ? VK_COMPARE_OP_GREATER_OR_EQUAL
                                                     : VK_COMPARE_OP_ALWAYS;
   }
-  return gpu::createPipeline(device_, desc);
+  return plan;
 }
 
-Result<std::vector<PipelinePtr>> Pipelines::of(const Layout& layout) {
-  std::vector<PipelinePtr> pipelines;
-  std::map<std::string, PipelinePtr> used;
+Result<std::vector<std::optional<PipelinePlan>>> Pipelines::plan(const Layout& layout) {
+  std::vector<std::optional<PipelinePlan>> plans;
   for (const LayoutPass& pass : layout.passes) {
     if (pass.d.kind == TY_PASS_CASTERS) {
-      pipelines.push_back(nullptr);
+      plans.emplace_back();
       continue;
     }
     auto shader = shaders_.get(pass.shader);
     if (!shader) return shader.error();
-    const std::string key = keyOf(layout, pass, **shader);
-    PipelinePtr pipeline;
-    if (const auto kept = made_.find(key); kept != made_.end())
-      pipeline = kept->second;
-    else if (const auto fresh = used.find(key); fresh != used.end())
-      pipeline = fresh->second;
-    if (!pipeline) {
-      auto made = make(layout, pass, *shader);
-      if (!made) return made.error();
-      pipeline = std::make_shared<const gpu::Pipeline>(made.take());
+    auto plan = planOf(layout, pass, shader.take());
+    if (!plan) return plan.error();
+    plans.push_back(plan.take());
+  }
+  return plans;
+}
+
+PipelinePtr Pipelines::find(const std::string& key) const {
+  const auto found = made_.find(key);
+  return found == made_.end() ? nullptr : found->second;
+}
+
+Result<std::vector<PipelinePtr>> Pipelines::of(const std::vector<std::optional<PipelinePlan>>& plans) {
+  std::map<std::string, PipelinePtr> fresh;
+  for (const auto& plan : plans) {
+    if (!plan || has(plan->key) || fresh.contains(plan->key)) continue;
+    auto made = makePipeline(device_, *plan);
+    if (!made) return made.error();
+    fresh[plan->key] = std::make_shared<const gpu::Pipeline>(made.take());
+  }
+  return adopt(plans, std::move(fresh));
+}
+
+std::vector<PipelinePtr> Pipelines::adopt(const std::vector<std::optional<PipelinePlan>>& plans,
+                                          std::map<std::string, PipelinePtr> fresh) {
+  std::vector<PipelinePtr> pipelines;
+  std::map<std::string, PipelinePtr> used;
+  for (const auto& plan : plans) {
+    if (!plan) {
+      pipelines.push_back(nullptr);
+      continue;
     }
-    used[key] = pipeline;
-    pipelines.push_back(std::move(pipeline));
+    const auto kept = made_.find(plan->key);
+    const PipelinePtr& pipeline = used[plan->key] = kept != made_.end() ? kept->second : fresh[plan->key];
+    TY_ASSERT(pipeline, "nobody made the pipeline " + plan->key);
+    pipelines.push_back(pipeline);
   }
   made_ = std::move(used);
   return pipelines;

@@ -30,11 +30,14 @@ TyStructure Structure::abi() const {
   return s;
 }
 
+bool Structure::sameSurroundings(const Structure& other) const {
+  return width == other.width && height == other.height && lightKinds == other.lightKinds &&
+         shadowSizes == other.shadowSizes && shadowMoments == other.shadowMoments &&
+         lightCookies == other.lightCookies && cookies == other.cookies;
+}
+
 bool Structure::sameLayout(const Structure& other) const {
-  if (width != other.width || height != other.height || lightKinds != other.lightKinds ||
-      shadowSizes != other.shadowSizes || shadowMoments != other.shadowMoments || lightCookies != other.lightCookies ||
-      cookies != other.cookies || values.size() != other.values.size())
-    return false;
+  if (!sameSurroundings(other) || values.size() != other.values.size()) return false;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (structural[i] && values[i] != other.values[i]) return false;
   return true;

@@ -27,6 +27,8 @@ struct Structure {
   }
   /// The same layout is due: equal but for values that are not structural.
   bool sameLayout(const Structure& other) const;
+  /// The same but for the parameters: picture, lights and what the renderer offers.
+  bool sameSurroundings(const Structure& other) const;
 };
 Structure makeStructure(const render::EffectInput& input, const std::vector<params::Parameter>& parameters,
                         const params::Table& table);

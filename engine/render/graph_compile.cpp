@@ -1,5 +1,6 @@
 // Compiling: from the declaration to physical resources and barriers.
 #include <algorithm>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "graph_state.hpp"
@@ -108,6 +109,7 @@ void Graph::State::countStatistics() {
                 .passesRun = static_cast<std::uint32_t>(std::count(kept.begin(), kept.end(), true)),
                 .barriers = static_cast<std::uint32_t>(barriers.after.size())};
   for (const auto& list : barriers.before) statistics.barriers += static_cast<std::uint32_t>(list.size());
+  statistics.waitedForMemory = std::exchange(memory.waited, false);
   for (const Heap& heap : memory.heaps) statistics.transientBytes += heap.size;
   for (const GraphResource& resource : resources) statistics.transientBytesUnshared += resource.bytes;
 }

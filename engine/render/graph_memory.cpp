@@ -5,6 +5,7 @@
 // earlier commands of the queue, those of the frame before included (graph_barriers.cpp). What it costs is overlap of
 // two frames on the GPU, what it saves is half of the memory.
 #include <algorithm>
+#include <utility>
 
 #include "graph_state.hpp"
 
@@ -35,6 +36,34 @@ Result<VkMemoryRequirements> GraphMemory::State::requirementsOf(const PhysicalRe
   return refused ? failed("image '" + wanted.imageDesc.name + "': the device names no size for it") : refused.error();
 }
 
+Result<void> GraphMemory::State::make(std::vector<Heap>& newHeaps, std::vector<PhysicalResource>& newResources) {
+  const auto made = [&]() -> Result<void> {
+    for (Heap& heap : newHeaps) {
+      const VkMemoryRequirements needed{heap.size, heap.alignment, heap.memoryTypes};
+      auto memory = device.allocate(needed, heap.isBuffer ? "transient buffers" : "transient images");
+      if (!memory) return memory.error();
+      heap.memory = memory.take();
+    }
+    for (PhysicalResource& resource : newResources) {
+      const Heap& heap = newHeaps[resource.heap];
+      if (resource.isBuffer) {
+        auto buffer = device.createBufferAt(resource.bufferDesc, heap.memory, resource.offset);
+        if (!buffer) return buffer.error();
+        resource.buffer = buffer.take();
+      } else {
+        auto image = device.createImageAt(resource.imageDesc, heap.memory, resource.offset);
+        if (!image) return image.error();
+        resource.image = image.take();
+      }
+    }
+    return {};
+  }();
+  if (made) return made;
+  for (PhysicalResource& resource : newResources) resource.image.reset(), resource.buffer.reset();
+  for (Heap& heap : newHeaps) heap.memory.reset();
+  return made;
+}
+
 Result<void> GraphMemory::State::realize(std::vector<Heap> newHeaps, std::vector<PhysicalResource> newResources,
                                          std::vector<VkMemoryRequirements> newRequirements) {
   const auto sameHeap = [](const Heap& a, const Heap& b) {
@@ -45,27 +74,16 @@ Result<void> GraphMemory::State::realize(std::vector<Heap> newHeaps, std::vector
                                     [](const PhysicalResource& a, const PhysicalResource& b) { return a.sameAs(b); });
   if (unchanged) return {};
 
-  // Let go first: the allocator may reuse what no frame in flight holds.
-  resources.clear();
+  // Old and new together, because frames in flight still use the old ones. Where that is too much, the old ones go first.
+  std::vector<Heap> oldHeaps = std::exchange(heaps, {});
+  std::vector<PhysicalResource> oldResources = std::exchange(resources, {});
   requirements.clear();
-  heaps.clear();
-  for (Heap& heap : newHeaps) {
-    const VkMemoryRequirements needed{heap.size, heap.alignment, heap.memoryTypes};
-    auto memory = device.allocate(needed, heap.isBuffer ? "transient buffers" : "transient images");
-    if (!memory) return memory.error();
-    heap.memory = memory.take();
-  }
-  for (PhysicalResource& resource : newResources) {
-    const Heap& heap = newHeaps[resource.heap];
-    if (resource.isBuffer) {
-      auto buffer = device.createBufferAt(resource.bufferDesc, heap.memory, resource.offset);
-      if (!buffer) return buffer.error();
-      resource.buffer = buffer.take();
-    } else {
-      auto image = device.createImageAt(resource.imageDesc, heap.memory, resource.offset);
-      if (!image) return image.error();
-      resource.image = image.take();
-    }
+  waited = false;
+  if (auto made = make(newHeaps, newResources); !made) {
+    const auto letGo = [&] { oldResources.clear(), oldHeaps.clear(); };
+    if (auto gone = device.destroyNow(letGo); !gone) return gone;
+    if (auto again = make(newHeaps, newResources); !again) return again;
+    waited = true;
   }
   heaps = std::move(newHeaps);
   resources = std::move(newResources);

@@ -186,9 +186,12 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
     } else {
       TY_ASSERT(input.effect, "debug view '" + debugView + "' is not the engine's and there is no effect");
       shown = input.effect->debugImage(debugView);
-      TY_ASSERT(shown->image, "debug view '" + debugView + "' is neither the engine's nor the effect's");
     }
-    Result<ImageRef> picture = addDebugPass(graph, tools, frame->view, *shown);
+    // A view of the layout before, or one that this frame's lights leave empty: not a mistake of the caller's.
+    const bool none = !isEngineDebugView(debugView) && !shown->image;
+    if (none) frame->plan.notes.push_back("debug view '" + debugView + "': there is none in this frame; the picture is shown");
+    Result<ImageRef> picture = none ? addCompositePass(graph, tools, frame->color, output.scatter, input.settings.exposure)
+                                    : addDebugPass(graph, tools, frame->view, *shown);
     if (!picture) return picture.error();
     output.picture = *picture;
   }

@@ -1,5 +1,7 @@
 // Memory and lifetimes: deferred destruction, frames in flight, churn, aliasing, refusals.
+#include <optional>
 #include <random>
+#include <thread>
 
 #include "gpu_test.hpp"
 
@@ -217,6 +219,56 @@ TEST_F(GpuLifetime, ImagesAndBuffersShareMemoryInTurn) {
     EXPECT_EQ(valuesOf<float>(*device->readback(*image, VK_IMAGE_LAYOUT_GENERAL)), texels);
     EXPECT_EQ(valuesOf<std::uint8_t>(*device->readback(*buffer)), bytes);
   }
+}
+
+TEST_F(GpuLifetime, ASiblingComputesOnAnotherThreadBesideFrames) {
+  const auto shader =
+      compile("comp", "layout(local_size_x = 1) in; layout(binding = 0) buffer B { uint n; }; void main() { n = 7; }");
+  std::vector<std::uint32_t> got;
+  std::optional<Pipeline> forUs;
+  std::thread other([&] {
+    auto sibling = device->createSibling();
+    ASSERT_TRUE(sibling.ok()) << sibling.error().message;
+    const ComputePipelineDesc desc{.name = "sibling's", .shader = shader, .bindings = {{0}}};
+    auto buffer = (*sibling)->createBuffer({.name = "sibling's", .size = 4, .usage = kBufferCopies | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    auto pipeline = createPipeline(**sibling, desc);
+    ASSERT_TRUE(buffer.ok() && pipeline.ok());
+    const auto done = (*sibling)->submitAndWait([&](VkCommandBuffer commands) {
+      vkCmdBindPipeline(commands, pipeline->bindPoint(), pipeline->handle());
+      Descriptors(commands, *pipeline).storageBuffer(0, buffer->handle()).push();
+      vkCmdDispatch(commands, 1, 1, 1);
+      fullBarrier(commands);
+    });
+    ASSERT_TRUE(done.ok()) << done.error().message;
+    got = valuesOf<std::uint32_t>(*(*sibling)->readback(*buffer));
+    auto made = createPipeline(*device, desc);  // on a thread that does not own the device
+    ASSERT_TRUE(made.ok());
+    forUs.emplace(made.take());
+  });
+  for (int frame = 0; frame < 50; ++frame) {
+    auto commands = device->beginFrame();
+    TY_EXPECT_OK(commands);
+    auto brief = device->createBuffer({.name = "brief", .size = 64, .usage = kBufferCopies});
+    TY_EXPECT_OK(brief);
+    TY_EXPECT_OK(device->endFrame());
+  }
+  other.join();
+  EXPECT_EQ(got, std::vector<std::uint32_t>{7});
+  EXPECT_TRUE(forUs && *forUs);
+}
+
+TEST_F(GpuLifetime, DestroyNowFreesWhatTheFrameBeingRecordedLetGo) {
+  const VkDeviceSize start = device->allocatedBytes();
+  auto commands = device->beginFrame();
+  TY_EXPECT_OK(commands);
+  auto first = device->createBuffer({.name = "first", .size = 1 << 20, .usage = kBufferCopies});
+  auto second = device->createBuffer({.name = "second", .size = 1 << 20, .usage = kBufferCopies});
+  ASSERT_TRUE(first.ok() && second.ok());
+  *first = Buffer();
+  EXPECT_GT(device->allocatedBytes(), start + (1 << 20)) << "it waits for the frame";
+  TY_EXPECT_OK(device->destroyNow([&] { *second = Buffer(); }));
+  EXPECT_EQ(device->allocatedBytes(), start);
+  TY_EXPECT_OK(device->endFrame());
 }
 
 TEST(GpuLifetimeDeathTest, AResourceThatOutlivesItsDeviceIsABug) {

@@ -56,6 +56,10 @@ class Session {
   const std::vector<render::PassTime>& lastPassTimes() const { return lastTimes_; }
   std::uint64_t finishedFrames() const { return finished_; }  ///< frames whose times were taken
 
+  /// Changed parameters of the effect are built beside the frames (host::PluginEffect). Off from the start, so that a frame
+  /// is always of the table's values.
+  void buildInBackground(bool on);
+
   /// Debug views of the engine and of the effect's present layout.
   std::vector<render::DebugViewInfo> debugViews() const;
 
@@ -102,6 +106,7 @@ class Session {
   std::pair<std::uint32_t, std::uint32_t> lastSize_{0, 0};
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   bool cut_ = true;
+  bool inBackground_ = false;
 };
 
 }  // namespace tyndall::app

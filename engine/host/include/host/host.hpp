@@ -81,11 +81,26 @@ class PluginEffect : public render::Effect {
   /// Call once per finished frame with its pass times: feeds the tuner of speed-only variants.
   void frameFinished(const std::vector<render::PassTime>& passes);
   std::vector<std::string> reloadShaders();
+
+  /// On: where a changed parameter needs a new layout, frames go on with the old one until the new one's pipelines and images are
+  /// there, made on another thread; the newest change wins, and what cannot be made leaves the old one (see failure()). Only a
+  /// change of the picture's size or of the lights is followed at once. Off, as from the start: every change is.
+  void buildInBackground(bool on);
+  enum class Background {
+    kIdle,
+    kBuilding,  ///< a frame declared now would be the same as the last
+    kReady,     ///< the next frame goes on with what was built
+  };
+  Background background() const;
+  /// Call one of these after addPasses(): the frame was submitted, or it was not, because of `reason`. If it was the first of a
+  /// layout made in the background, the one before comes back.
+  void frameSubmitted();
+  void frameDropped(const Error& reason);
   /// What the passes of the last finished frame used: images, buffers, the output, each on its own. Those of passes
   /// that the graph dropped (debug views that are not shown) do not count, history always does.
   std::uint64_t memoryBytes() const;
-  /// Why the plugin is off, if its layout was refused or could not be made (also logged, once). A changed setting or
-  /// shader starts anew.
+  /// Why the plugin is off or, when built in the background, still has the layout of earlier settings: a layout was refused
+  /// or could not be made (also logged, once). A changed setting or shader starts anew.
   const std::optional<Error>& failure() const;
 
   struct State;

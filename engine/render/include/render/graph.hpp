@@ -64,6 +64,8 @@ struct GraphStatistics {
   std::uint32_t passesDeclared = 0, passesRun = 0, barriers = 0;
   VkDeviceSize transientBytes = 0;          ///< memory of transients, shared
   VkDeviceSize transientBytesUnshared = 0;  ///< what they would take each on its own
+  /// The memory was made anew in this frame, and there was room only once the old had been freed: the GPU was waited for.
+  bool waitedForMemory = false;
 };
 
 /// Memory and physical resources that live from frame to frame (one per renderer). Reused while the plan is unchanged.

@@ -1,0 +1,45 @@
+// A changed setting does not hold up the frames: three that need new pipelines, with caches that know none of them.
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "hitch.hpp"
+
+namespace tyndall::hitch {
+namespace {
+
+struct Case {
+  Settings start;
+  std::string id, value;  ///< a change that needs pipelines which were never made
+};
+
+const Case kCases[] = {
+    {{"volumetrics.technique=ray_march"}, "volumetrics.technique", "moments6"},
+    {{"volumetrics.technique=fourier", "volumetrics.basis_count=16"}, "volumetrics.basis_count", "32"},
+    {{"volumetrics.technique=moments4"}, "volumetrics.reference_rays", "1"},
+};
+
+void print(const Change& c) {
+  std::printf(
+      "%-45s before %5.0f ms, after %5.0f, worst %5.0f: ratio %.2f (%s); processor %.0f, %.0f, %.0f: %.2f; %d frames "
+      "in between, %.2f s, %d late\n",
+      c.what.c_str(), c.before, c.after, c.worst, c.ratio(), c.slowestPass.c_str(), c.cpuBefore, c.cpuAfter, c.cpuWorst,
+      c.cpuRatio(), c.frames, c.seconds, c.late);
+}
+
+TEST(Hitch, ChangedSettingsDoNotHoldUpFrames) {
+  Bench bench("hall", 160, 90, true);
+  for (const Case& test : kCases) {
+    bench.settle(test.start);
+    const Change change = bench.change(test.id, test.value);
+    print(change);
+    EXPECT_GT(change.frames, 0) << change.what << ": nothing was built beside the frames";
+    EXPECT_EQ(change.late, 0) << change.what << ": code that was not compiled ahead";
+    // Not the wall clock's ratio: how long the machine makes a frame wait for a processor is not ours. The sweep has
+    // it.
+    EXPECT_LE(change.cpuRatio(), 2.0) << change.what;
+  }
+}
+
+}  // namespace
+}  // namespace tyndall::hitch
