@@ -14,6 +14,7 @@ namespace tyndall::app {
 struct ViewRequest {
   std::string name;
   std::optional<std::uint32_t> layer{}, mip{};
+  bool operator==(const ViewRequest&) const = default;
 };
 
 /// Values of one layer of one mip, row 0 on top: values[(y * width + x) * channels + c]. Unorm formats are from 0 to 1, sRGB-coded ones
