@@ -22,4 +22,10 @@ inline std::optional<std::pair<glm::vec2, glm::vec2>> projectSegment(const glm::
   return std::pair(pixel(a), pixel(b));
 }
 
+/// A world point as a pixel; nothing behind the camera.
+inline std::optional<glm::vec2> projectedPoint(const glm::mat4& clipFromWorld, const glm::vec3& point, const glm::vec2& size) {
+  const auto seen = projectSegment(clipFromWorld, point, point, size);
+  return seen ? std::optional(seen->first) : std::nullopt;
+}
+
 }  // namespace tyndall::editor
