@@ -43,9 +43,9 @@ bool Shot::operator==(const Shot& other) const {
 }
 
 bool Shot::sameTruth(const Shot& other) const {
-  const auto medium = [](const std::map<std::string, double>& values) {
+  const auto medium = [](const std::map<std::string, double>& all) {
     std::map<std::string, double> part;
-    for (const auto& [id, value] : values)
+    for (const auto& [id, value] : all)
       if (id.starts_with("medium.")) part[id] = value;
     return part;
   };

@@ -23,7 +23,9 @@ TEST(LogAxis, TicksRiseWithinTheAxisAndPowersOfTenAreMajor) {
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     EXPECT_GE(ticks[i].value, 0.02 * (1 - 1e-9));
     EXPECT_LE(ticks[i].value, 300 * (1 + 1e-9));
-    if (i > 0) EXPECT_GT(ticks[i].value, ticks[i - 1].value);
+    if (i > 0) {
+      EXPECT_GT(ticks[i].value, ticks[i - 1].value);
+    }
     major += ticks[i].major;
   }
   EXPECT_EQ(major, 4u);                      // 0.1, 1, 10, 100
