@@ -30,7 +30,7 @@ LogAxis axisFor(const std::vector<double>& values) {
 
 std::string tickText(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
+  std::snprintf(text, sizeof text, value >= 1000 && value < 1e6 ? "%.0f" : "%.3g", value);
   return text;
 }
 

@@ -58,6 +58,7 @@ void Research::drawOver(ImDrawList& list, Workspace& workspace, const Viewport& 
 
 void Research::draw(Workspace& workspace, const Viewport& viewport) {
   if (laboratory_) laboratory_->poll();
+  workspace.facts.clear();
   ResearchContext now = context(workspace, viewport);
   bar(now, viewport);
   std::optional<glm::ivec2> pixel;
@@ -81,6 +82,7 @@ void Research::bar(ResearchContext& context, const Viewport& viewport) {
   ImGui::SetNextWindowPos({viewport.low.x + 6, viewport.low.y + 6});
   ImGui::SetNextWindowBgAlpha(0.75f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(4, 3));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
   ImGui::Begin("research bar", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
   if (ImGui::Button("views ...")) ImGui::OpenPopup("view menu");
   context.workspace.place("views");
@@ -103,14 +105,17 @@ void Research::bar(ResearchContext& context, const Viewport& viewport) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Something is rendered beside the window");
   }
   ImGui::End();
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   context.workspace.facts["background"] = busy() ? "busy" : "idle";
 }
 
 void Research::viewMenu(ResearchContext& context) {
-  ImGui::SetNextWindowSizeConstraints({220, 0}, {600, 480});
+  ImGui::SetNextWindowSizeConstraints({220, 0}, {600, 560});
   if (!ImGui::BeginPopup("view menu")) return;
+  std::size_t left = render::Renderer::debugViews().size();
+  ImGui::TextColored(kDimColor, "engine");
   for (const render::DebugViewInfo& view : session_.debugViews()) {
+    if (left-- == 0) ImGui::TextColored(kDimColor, "%s", session_.catalogue().effectPlugin().name().c_str());
     if (ImGui::Selectable(view.name.c_str())) windows_.push_back(std::make_unique<ViewWindow>(view.name, opened_++));
     context.workspace.place("open view " + view.name);
     if (ImGui::IsItemHovered() && !view.doc.empty()) ImGui::SetTooltip("%s", view.doc.c_str());

@@ -31,8 +31,15 @@ void TruthPanel::draw(ResearchContext& context) {
   }
   ImGui::End();
   auto& facts = context.workspace.facts;
-  facts["reference"] = running(reference.job()) ? "running" : reference.active() ? "next" : reference.full(context) ? "full" : reference.valid(context) ? "coarse" : "none";
+  facts["reference"] = reference.active() ? "running" : "idle";
+  facts["reference made"] = reference.full(context) ? "full" : reference.valid(context) ? "coarse" : "none";
   facts["reference samples"] = std::to_string(reference.samples);
+  if (const auto& metrics = reference.metrics()) {
+    const ScatterPicture& truth = *reference.truth();
+    char text[160];
+    std::snprintf(text, sizeof text, "%u %u %.9g %.9g %.9g %.9g", truth.scatter.width, truth.scatter.height, metrics->nRmse, metrics->p99, metrics->max, metrics->bias);
+    facts["error"] = text;
+  }
   if (!open) reference.cancel();
 }
 
@@ -43,6 +50,7 @@ void TruthPanel::controls(ResearchContext& context) {
     for (int i = 0; i < 3; ++i) {
       const bool possible = i != static_cast<int>(ReferenceKind::kStored) || reference.hasStored();
       if (ImGui::Selectable(kKinds[i], i == static_cast<int>(reference.kind), possible ? 0 : ImGuiSelectableFlags_Disabled)) reference.kind = static_cast<ReferenceKind>(i);
+      workspace.place(std::string("reference kind ") + kKinds[i]);
     }
     ImGui::EndCombo();
   }
@@ -51,8 +59,10 @@ void TruthPanel::controls(ResearchContext& context) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(70);
     if (ImGui::BeginCombo("##samples", std::to_string(reference.samples).c_str())) {
-      for (const int choice : kSampleChoices)
+      for (const int choice : kSampleChoices) {
         if (ImGui::Selectable(std::to_string(choice).c_str(), choice == reference.samples)) reference.samples = choice;
+        workspace.place("reference samples " + std::to_string(choice));
+      }
       ImGui::EndCombo();
     }
     workspace.place("reference samples");

@@ -1,7 +1,6 @@
 #include "truth_reference.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace tyndall::editor {
 namespace {
@@ -112,14 +111,10 @@ void Reference::renderCurrent(ResearchContext& context) {
 
 void Reference::compare(Workspace& workspace) {
   metrics_.reset();
-  workspace.facts.erase("error");
   if (!comparable()) return;
   auto metrics = image::compare(current_->scatter, source()->scatter);
   if (!metrics) return workspace.tell("comparison: " + metrics.error().message, true);
   metrics_ = *metrics;
-  char text[160];
-  std::snprintf(text, sizeof text, "%u %u %.9g %.9g %.9g %.9g", source()->scatter.width, source()->scatter.height, metrics_->nRmse, metrics_->p99, metrics_->max, metrics_->bias);
-  workspace.facts["error"] = text;
 }
 
 }  // namespace tyndall::editor

@@ -117,7 +117,8 @@ void RowLink::drawRays(const ResearchContext& context, ImDrawList& list, glm::ve
 void RowLink::draw(ResearchContext& context) {
   if (!open) return;
   ImGui::SetNextWindowSize({430, 235}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowPos({12, 440}, ImGuiCond_FirstUseEver);
+  // Low in the corner, where it hides little of the picture.
+  ImGui::SetNextWindowPos({6, ImGui::GetIO().DisplaySize.y - 270}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Row of a pixel", &open, ImGuiWindowFlags_NoFocusOnAppearing)) {
     if (context.viewOf(ViewRole::kRowPlace).empty()) ImGui::TextUnformatted("The technique in use works on no rows.");
     else if (places_.values.empty()) ImGui::TextUnformatted("Waiting for the maps ...");

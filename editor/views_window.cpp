@@ -140,7 +140,6 @@ void ViewWindow::partChoice(Workspace& workspace) {
 void ViewWindow::readOut(ResearchContext& context, const std::optional<glm::ivec2>& texel, bool linked) {
   const std::string name = "view " + view_ + " value";
   if (!texel || picture_.values.empty()) {
-    context.workspace.facts.erase(name);
     if (picture_.values.empty()) ImGui::TextUnformatted("");
     else ImGui::TextColored(kDimColor, "%u x %u  %s", picture_.width, picture_.height, picture_.format.c_str());
     return;

@@ -33,6 +33,8 @@ TEST(LogAxis, TicksRiseWithinTheAxisAndPowersOfTenAreMajor) {
   EXPECT_NEAR(ticks.back().value, 300, 1e-9);
   EXPECT_EQ(tickText(0.1), "0.1");
   EXPECT_EQ(tickText(200), "200");
+  EXPECT_EQ(tickText(2000), "2000");
+  EXPECT_EQ(tickText(0.0005), "0.0005");
 }
 
 TEST(LogAxis, HoldsItsValuesWithRoomAndIsNeverNarrow) {

@@ -1,6 +1,6 @@
 // The light ray of each texel of the maps of rows, as two points in world space (TY_VIEW_LIGHT_RAY_START and _END): through the middle of
-// its slice and column, from the least inclination of the map to that of the first blocker or, without one, to the greatest. And the
-// normalised depths of its blockers, whichever rectification they come from.
+// its slice and column, from nearer to the light than every view ray to the first blocker or, without one, to where the last view ray meets
+// it. A blocker before all view rays is put where the first of them meets the light ray. And the normalised depths of its blockers, whichever rectification they come from.
 // Inputs: Slice buffer; rectified maps. Output: RGBA32F array, slices x columns: layer 0 start, A 1 where there is such a ray; layer 1 end, A 1
 // where it is blocked; layer 2 R G depths of two blockers, B share of the second, A 0. Equations: shaders/lib/epipolar.glsl, shaders/lib/local_row.glsl.
 #version 460
@@ -49,10 +49,10 @@ void main() {
     depths = texelDepths(at);
     float depth = depths.x;
     float most = kLocal ? kPi - c - kLeastAngle : kPi - kLeastAngle;
-    float low = clamp(light.map.depthLow, kLeastAngle, most);
+    float low = clamp(light.map.depthLow, 2.0 * kLeastAngle, most);
     float theta = light.map.depthLow + pow(depth, 1.0 / light.map.depthPower) / light.map.depthScale;
     bool blocked = depth < 1.0 && theta < most;
-    start = vec4(kLocal ? frame.rays.eye + light.local.position : pointAt(e, c, low), 1.0);
+    start = vec4(kLocal ? frame.rays.eye + light.local.position : pointAt(e, c, max(0.5 * low, kLeastAngle)), 1.0);
     end = vec4(pointAt(e, c, clamp(theta, low, most)), blocked ? 1.0 : 0.0);
   }
   imageStore(lightRays, ivec3(at, 0), start);

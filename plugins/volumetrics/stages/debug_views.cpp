@@ -75,7 +75,7 @@ void addRowViews(const LayoutContext& context, LayoutBuilder& builder, const Rec
                    {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
                     sampledAt(3, stage.rectified), sampledAt(4, stage.projective), storageAt(5, lightRays)},
                    groups8(stage.slices), groups8(stage.rows), 1, kEachLight, {{8, stage.filtered ? 1u : 0u}}});
-  builder.debugView("light_ray_start", "World point (m) at which the view first can meet the light ray of each texel of the rows (of the last light)",
+  builder.debugView("light_ray_start", "World point (m) of the light ray of each texel of the rows, nearer to the light than what is seen of it (of the last light)",
                     TY_SOURCE_IMAGE, lightRays, 0, 4, -10.0f, 10.0f, TY_VIEW_LIGHT_RAY_START);
   builder.debugView("light_ray_end", "World point (m) of the first blocker on the light ray of each texel of the rows, or its last point in view",
                     TY_SOURCE_IMAGE, lightRays, 1, 4, -10.0f, 10.0f, TY_VIEW_LIGHT_RAY_END);

@@ -287,8 +287,8 @@ typedef enum TyViewRole {
   /* Of each pixel, RGBA: where the end of its view ray lies in those maps, x and y from 0 to 1 over the whole map (its column is
    * clamped to the map); its inclination to the direction of the light, rad; its normalised depth, as TY_VIEW_ROW_DEPTHS holds it. */
   TY_VIEW_ROW_PLACE = 3,
-  /* Of each texel of those maps, RGB: points of its light ray in world space, m: where the view first can meet it, and its
-   * blocker, or without one where the view last can meet it. A of START: 1, or 0 where the texel has no light ray; of END: 1 for a blocker. */
+  /* Of each texel of those maps, RGB: points of its light ray in world space, m: one nearer to the light than all that the view
+   * meets of it, and its blocker, or without one where the view last can meet it. A of START: 1, or 0 where the texel has no light ray; of END: 1 for a blocker. */
   TY_VIEW_LIGHT_RAY_START = 4,
   TY_VIEW_LIGHT_RAY_END = 5,
   /* In-scattered radiance of every light (RGB) found without the technique's approximations, to judge its result by. */
