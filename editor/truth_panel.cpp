@@ -100,6 +100,10 @@ void TruthPanel::figures(ResearchContext& context) {
     ImGui::Text("%.2f ms", reference.effectMs());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("GPU time of everything that the plugin does at that size");
   }
+  if (metrics && reference.valid(context) && !reference.upToDate(context)) {
+    ImGui::SameLine();
+    ImGui::TextColored(kChangedColor, "updating ...");
+  }
   if (reference.truth() && !reference.valid(context)) {
     ImGui::SameLine();
     ImGui::TextColored(kChangedColor, "of an earlier view");

@@ -41,6 +41,8 @@ class Reference {
   std::uint32_t version() const { return version_; }  ///< grows whenever one of the pictures is another
   bool valid(const ResearchContext& context) const;   ///< the reference is of the present view
   bool full(const ResearchContext& context) const { return valid(context) && source()->shot.width == context.shot.width && source()->shot.height == context.shot.height; }
+  /// What is compared is a picture of the present settings.
+  bool upToDate(const ResearchContext& context) const { return current_ && current_->shot == context.shot.scaledTo(current_->shot.width, current_->shot.height); }
   const JobPointer& job() const { return job_; }
   bool active() const { return running(job_) || next_ > 0; }
   bool hasStored() const { return stored_.has_value(); }

@@ -36,6 +36,7 @@ class RowLink {
   /// Looks up what hovered pixel and pinned texel are.
   void update(ResearchContext& context);
 
+  const std::optional<glm::ivec2>& pixel() const { return pixel_; }
   const std::optional<RowPlace>& place() const { return place_; }
   const std::optional<glm::vec2>& pinned() const { return pinned_; }
   /// Crosses and the ray's part of its row, on an image of the maps. `pointOf` maps shares to points.

@@ -55,8 +55,15 @@ bool ViewWindow::draw(ResearchContext& context, RowLink& link, const JobPointer&
       link.drawMarks(*seen.list, [&](glm::vec2 share) { return toIm(seen.pointOf(share * size)); });
       if (seen.clicked && seen.hovered) link.open = true, link.pin((glm::vec2(*seen.hovered) + 0.5f) / size);
       if (link.place() && picture_.width > 0) linked = glm::ivec2(glm::clamp(glm::floor(link.place()->share * size), glm::vec2(0), size - 1.0f));
-    } else if (seen.hovered && picture_.width == context.shot.width && picture_.height == context.shot.height) {
-      link.hover(seen.hovered);  // an image of the picture's pixels points at them as the picture does
+    } else if (picture_.width == context.shot.width && picture_.height == context.shot.height) {
+      // An image of the picture's pixels points at them as the picture does, and shows which one is pointed at.
+      if (seen.hovered) link.hover(seen.hovered);
+      else if (link.pixel() && link.open) linked = glm::clamp(*link.pixel(), glm::ivec2(0), glm::ivec2(size) - 1);
+      if (linked) {
+        const glm::vec2 at = seen.pointOf(glm::vec2(*linked) + 0.5f);
+        seen.list->AddCircle(toIm(at), 6, IM_COL32(0, 0, 0, 200), 0, 3);
+        seen.list->AddCircle(toIm(at), 6, IM_COL32(255, 205, 90, 255), 0, 1.5f);
+      }
     }
     if (picture_.values.empty()) {
       const char* state = running(job) ? "rendering ..." : "the technique in use has no such view now";
