@@ -8,7 +8,8 @@ namespace tyndall::editor {
 namespace {
 
 bool sameCamera(const scene::CameraView& a, const scene::CameraView& b) {
-  return a.worldFromView == b.worldFromView && a.camera.yfov == b.camera.yfov && a.camera.znear == b.camera.znear && a.camera.zfar == b.camera.zfar;
+  return a.worldFromView == b.worldFromView && a.camera.yfov == b.camera.yfov && a.camera.znear == b.camera.znear &&
+         a.camera.zfar == b.camera.zfar;
 }
 
 Result<image::FloatImage> traced(const TruthTask& task, Job& job) {
@@ -16,10 +17,13 @@ Result<image::FloatImage> traced(const TruthTask& task, Job& job) {
   settings.width = task.shot.width, settings.height = task.shot.height;
   settings.seconds = task.shot.seconds;
   settings.samples = task.samples;
-  for (const auto& [id, target] :
-       {std::pair{"medium.sigma_t", &settings.medium.sigma_t}, {"medium.albedo", &settings.medium.albedo}, {"medium.g", &settings.medium.g}}) {
+  for (const auto& [id, target] : {std::pair{"medium.sigma_t", &settings.medium.sigma_t},
+                                   {"medium.albedo", &settings.medium.albedo},
+                                   {"medium.g", &settings.medium.g}}) {
     const auto value = task.shot.values.find(id);
-    if (value == task.shot.values.end()) return failed("truth: the plugin in use has no parameter " + std::string(id) + "; the volumetrics plugin is needed");
+    if (value == task.shot.values.end())
+      return failed("truth: the plugin in use has no parameter " + std::string(id) +
+                    "; the volumetrics plugin is needed");
     *target = value->second;
   }
   settings.progress = [&job](double share) {
@@ -31,15 +35,16 @@ Result<image::FloatImage> traced(const TruthTask& task, Job& job) {
   if (!picture) return picture.error();
   image::FloatImage result{picture->width, picture->height, 4, {}};
   result.values.reserve(picture->scatter.size() * 4);
-  for (const glm::vec4& pixel : picture->scatter) result.values.insert(result.values.end(), {pixel.r, pixel.g, pixel.b, pixel.a});
+  for (const glm::vec4& pixel : picture->scatter)
+    result.values.insert(result.values.end(), {pixel.r, pixel.g, pixel.b, pixel.a});
   return result;
 }
 
 }  // namespace
 
 bool Shot::operator==(const Shot& other) const {
-  return level == other.level && sameCamera(camera, other.camera) && seconds == other.seconds && width == other.width && height == other.height &&
-         values == other.values;
+  return level == other.level && sameCamera(camera, other.camera) && seconds == other.seconds && width == other.width &&
+         height == other.height && values == other.values;
 }
 
 bool Shot::sameTruth(const Shot& other) const {
@@ -49,8 +54,8 @@ bool Shot::sameTruth(const Shot& other) const {
       if (id.starts_with("medium.")) part[id] = value;
     return part;
   };
-  return level == other.level && sameCamera(camera, other.camera) && seconds == other.seconds && width == other.width && height == other.height &&
-         medium(values) == medium(other.values);
+  return level == other.level && sameCamera(camera, other.camera) && seconds == other.seconds && width == other.width &&
+         height == other.height && medium(values) == medium(other.values);
 }
 
 Shot Shot::scaledTo(std::uint32_t newWidth, std::uint32_t newHeight) const {
@@ -64,7 +69,9 @@ Result<std::unique_ptr<Laboratory>> Laboratory::open(const Options& options) {
   // A plugin's instance belongs to the thread that made it, so the whole engine is made there.
   std::promise<Result<void>> opened;
   auto standing = opened.get_future();
-  made->thread_ = std::thread([&opened, raw = made.get()] { raw->live([&opened](Result<void> result) { opened.set_value(std::move(result)); }); });
+  made->thread_ = std::thread([&opened, raw = made.get()] {
+    raw->live([&opened](Result<void> result) { opened.set_value(std::move(result)); });
+  });
   if (auto result = standing.get(); !result) return result.error();
   return made;
 }
@@ -123,10 +130,11 @@ JobPointer Laboratory::add(std::string label, std::function<std::function<void()
 }
 
 JobPointer Laboratory::render(std::string label, RenderTask task, std::function<void(Result<RenderResult>)> done) {
-  return add(std::move(label), [this, task = std::move(task), done = std::move(done)](Job& job) -> std::function<void()> {
-    auto result = std::make_shared<Result<RenderResult>>(renderNow(task, job));
-    return [result, done] { done(std::move(*result)); };
-  });
+  return add(std::move(label),
+             [this, task = std::move(task), done = std::move(done)](Job& job) -> std::function<void()> {
+               auto result = std::make_shared<Result<RenderResult>>(renderNow(task, job));
+               return [result, done] { done(std::move(*result)); };
+             });
 }
 
 JobPointer Laboratory::truth(std::string label, TruthTask task, std::function<void(Result<image::FloatImage>)> done) {

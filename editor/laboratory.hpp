@@ -1,5 +1,6 @@
-// A second engine on a thread of its own, for what would take too long between two frames of the window: debug views, references,
-// the times of techniques. One job at a time, in the order asked, so that nothing that is timed runs beside something else.
+// A second engine on a thread of its own, for what would take too long between two frames of the window: debug views,
+// references, the times of techniques. One job at a time, in the order asked, so that nothing that is timed runs beside
+// something else.
 #pragma once
 
 #include <atomic>
@@ -35,8 +36,8 @@ struct Shot {
 /// A job's state, shared by both threads.
 struct Job {
   std::string label;
-  std::atomic<float> progress{0};     ///< 0 to 1
-  std::atomic<bool> cancelled{false}; ///< asked for; its result is then dropped
+  std::atomic<float> progress{0};      ///< 0 to 1
+  std::atomic<bool> cancelled{false};  ///< asked for; its result is then dropped
   std::atomic<bool> finished{false};
   void cancel() { cancelled = true; }
 };
@@ -50,9 +51,9 @@ struct RenderTask {
   std::uint32_t repeats = 0;  ///< above 0: the effect is warmed up and timed over so many frames
 };
 struct RenderResult {
-  image::FloatImage scatter;             ///< RGBA; of a reference, its radiance
+  image::FloatImage scatter;  ///< RGBA; of a reference, its radiance
   std::vector<app::ViewPicture> views;
-  double effectMs = 0;                   ///< median over the repeats of everything that the effect's plugin owns
+  double effectMs = 0;  ///< median over the repeats of everything that the effect's plugin owns
 };
 struct TruthTask {
   Shot shot;
@@ -97,10 +98,10 @@ class Laboratory {
   std::atomic<std::uint32_t> messages_{0};
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Work> waiting_;                                    // guarded by mutex_
+  std::deque<Work> waiting_;                                        // guarded by mutex_
   std::vector<std::pair<JobPointer, std::function<void()>>> done_;  // guarded by mutex_
-  bool closing_ = false;                                        // guarded by mutex_
-  JobPointer current_;                                          // guarded by mutex_
+  bool closing_ = false;                                            // guarded by mutex_
+  JobPointer current_;                                              // guarded by mutex_
   std::thread thread_;
 };
 

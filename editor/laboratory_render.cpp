@@ -16,7 +16,8 @@ struct Frame {
   app::ViewReadback views;
 };
 
-Result<void> renderOne(app::Session& session, const app::FrameRequest& request, const std::vector<app::ViewRequest>& views, Frame& frame) {
+Result<void> renderOne(app::Session& session, const app::FrameRequest& request,
+                       const std::vector<app::ViewRequest>& views, Frame& frame) {
   render::Graph graph(session.device(), session.graphMemory());
   auto output = session.buildFrame(graph, request);
   if (!output) return output.error();
@@ -41,7 +42,8 @@ Result<RenderResult> referenceOf(RenderResult result) {
   if (view.values.empty()) return failed("reference: this frame has no image for the view '" + view.name + "'");
   image::FloatImage radiance{view.width, view.height, 3, {}};
   for (std::size_t i = 0; i < view.values.size(); i += view.channels)
-    for (std::size_t c = 0; c < 3; ++c) radiance.values.push_back(view.values[i + std::min<std::size_t>(c, view.channels - 1)]);
+    for (std::size_t c = 0; c < 3; ++c)
+      radiance.values.push_back(view.values[i + std::min<std::size_t>(c, view.channels - 1)]);
   result.scatter = std::move(radiance);
   result.views.clear();
   return result;
@@ -53,7 +55,8 @@ Result<RenderResult> referenceOf(RenderResult result) {
 Result<void> Laboratory::follow(const Shot& shot) {
   if (session_->pluginChanged())
     if (auto reloaded = session_->reloadPlugin(); !reloaded) return reloaded;
-  (void)session_->reloadShaders();  // what is broken is told by the window's own engine, and the last good code stays here too
+  (void)session_
+      ->reloadShaders();  // what is broken is told by the window's own engine, and the last good code stays here too
   if (level_ != shot.level) {
     level_.reset();
     if (auto set = session_->setLevel(*shot.level); !set) return set;
@@ -79,7 +82,8 @@ Result<RenderResult> Laboratory::renderNow(const RenderTask& task, Job& job) {
     views.clear();
     for (const render::DebugViewInfo& view : session_->debugViews())
       if (view.role == render::ViewRole::kReference) views.push_back({view.name});
-    if (views.empty()) return failed("reference: the technique in use offers no view to judge by; choose another technique");
+    if (views.empty())
+      return failed("reference: the technique in use offers no view to judge by; choose another technique");
   }
   for (const app::ViewRequest& view : views) request.views.push_back(view.name);
   const std::string owner = session_->catalogue().effectPlugin().id();

@@ -24,7 +24,8 @@ LogAxis axisFor(const std::vector<double>& values) {
     if (value > 0 && std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
   if (most <= 0) return {};
   LogAxis axis{least / 1.4, most * 1.4};
-  if (const double lack = 4 / (axis.high / axis.low); lack > 1) axis.low /= std::sqrt(lack), axis.high *= std::sqrt(lack);
+  if (const double lack = 4 / (axis.high / axis.low); lack > 1)
+    axis.low /= std::sqrt(lack), axis.high *= std::sqrt(lack);
   return axis;
 }
 
@@ -38,7 +39,8 @@ std::vector<std::size_t> paretoFront(const std::vector<PlotPoint>& points) {
   std::vector<std::size_t> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return points[a].milliseconds != points[b].milliseconds ? points[a].milliseconds < points[b].milliseconds : points[a].error < points[b].error;
+    return points[a].milliseconds != points[b].milliseconds ? points[a].milliseconds < points[b].milliseconds
+                                                            : points[a].error < points[b].error;
   });
   std::vector<std::size_t> front;
   for (const std::size_t i : order)

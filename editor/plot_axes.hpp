@@ -23,7 +23,8 @@ struct LogAxis {
   /// 1 to 9 times every power of ten on the axis, rising.
   std::vector<Tick> ticks() const;
 };
-/// An axis that holds all values with some room at both ends, and at least a factor of four. Values that are not above 0 are left out.
+/// An axis that holds all values with some room at both ends, and at least a factor of four. Values that are not above
+/// 0 are left out.
 LogAxis axisFor(const std::vector<double>& values);
 /// "0.01", "3", "100": as few digits as tell it.
 std::string tickText(double value);

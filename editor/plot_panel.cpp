@@ -20,7 +20,8 @@ const params::Parameter* selectorOf(app::Session& session) {
 /// A colour of its own for each label, evenly round the circle of hues.
 ImU32 colourOf(std::size_t index, std::size_t count) {
   float r, g, b;
-  ImGui::ColorConvertHSVtoRGB(static_cast<float>(index) / static_cast<float>(std::max<std::size_t>(count, 1)), 0.62f, 0.95f, r, g, b);
+  ImGui::ColorConvertHSVtoRGB(static_cast<float>(index) / static_cast<float>(std::max<std::size_t>(count, 1)), 0.62f,
+                              0.95f, r, g, b);
   return ImGui::ColorConvertFloat4ToU32({r, g, b, 1});
 }
 
@@ -38,7 +39,8 @@ void PlotPanel::fill(ResearchContext& context) {
     Entry entry;
     entry.label = technique.id;
     entry.values = context.shot.values;
-    if (const auto enabled = entry.values.find(plugin.id() + ".enabled"); enabled != entry.values.end()) enabled->second = 1;
+    if (const auto enabled = entry.values.find(plugin.id() + ".enabled"); enabled != entry.values.end())
+      enabled->second = 1;
     if (selector) {
       const auto value = params::fromText(*selector, technique.id);
       if (!value) continue;  // a technique that the selector does not offer cannot be chosen by anyone
@@ -59,7 +61,8 @@ void PlotPanel::measureNext(ResearchContext& context, Reference& reference) {
     if (!reference.active()) reference.start(context);
     return;
   }
-  const auto next = std::find_if(entries_.begin(), entries_.end(), [](const Entry& entry) { return !entry.measured && entry.failure.empty(); });
+  const auto next = std::find_if(entries_.begin(), entries_.end(),
+                                 [](const Entry& entry) { return !entry.measured && entry.failure.empty(); });
   if (next == entries_.end()) {
     measuring_ = false;
     return;
@@ -101,7 +104,8 @@ void PlotPanel::draw(ResearchContext& context, Reference& reference) {
   }
   if (measuring_) reference.update(context);
   measureNext(context, reference);
-  ImGui::SetNextWindowPos({420, 250}, ImGuiCond_FirstUseEver);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({display.x * 0.3f, std::max(display.y * 0.3f, 40.0f)}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize({460, 380}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSizeConstraints({320, 220}, {16384, 16384});
   if (ImGui::Begin("Error against time", &open, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
@@ -121,14 +125,16 @@ void PlotPanel::draw(ResearchContext& context, Reference& reference) {
       ImGui::SameLine();
       if (ImGui::Button("add the present settings")) {
         if (!context.shot.sameTruth(shot_)) entries_.clear(), ++run_, shot_ = context.shot;
-        entries_.push_back({context.session.catalogue().techniqueName() + " +", context.shot.values, true, false, {}, {}});
+        entries_.push_back(
+            {context.session.catalogue().techniqueName() + " +", context.shot.values, true, false, {}, {}});
         measuring_ = true;
       }
       workspace.place("plot add");
       ImGui::SameLine();
       ImGui::SetNextItemWidth(60);
       if (ImGui::InputInt("repeats", &repeats_, 0)) repeats_ = std::clamp(repeats_, 1, 100);
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("Frames that each is timed over, after a warm-up; the median counts");
+      if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Frames that each is timed over, after a warm-up; the median counts");
     }
     if (!entries_.empty() && !context.shot.sameTruth(shot_)) {
       ImGui::SameLine();
@@ -160,22 +166,30 @@ void PlotPanel::chart(ResearchContext& context) {
     }
   const LogAxis x = axisFor(times), y = axisFor(errors);
   const auto place = [&](const PlotPoint& p) {
-    return ImVec2(from.x + static_cast<float>(x.share(p.milliseconds)) * (to.x - from.x), to.y - static_cast<float>(y.share(p.error)) * (to.y - from.y));
+    return ImVec2(from.x + static_cast<float>(x.share(p.milliseconds)) * (to.x - from.x),
+                  to.y - static_cast<float>(y.share(p.error)) * (to.y - from.y));
   };
   const ImU32 text = IM_COL32(200, 205, 215, 255), line = IM_COL32(70, 72, 80, 255), faint = IM_COL32(42, 43, 48, 255);
   const auto grid = [&](const LogAxis& axis, bool across) {
     const auto ticks = axis.ticks();
-    const bool few = std::count_if(ticks.begin(), ticks.end(), [](const auto& t) { return t.major; }) < 2;  // less than two powers of ten: label more
+    const bool few = std::count_if(ticks.begin(), ticks.end(), [](const auto& t) { return t.major; }) <
+                     2;  // less than two powers of ten: label more
     for (const LogAxis::Tick& tick : ticks) {
-      const float at = across ? from.x + static_cast<float>(axis.share(tick.value)) * (to.x - from.x) : to.y - static_cast<float>(axis.share(tick.value)) * (to.y - from.y);
-      if (across) list.AddLine({at, from.y}, {at, to.y}, tick.major ? line : faint);
-      else list.AddLine({from.x, at}, {to.x, at}, tick.major ? line : faint);
-      const int digit = static_cast<int>(std::lround(tick.value / std::pow(10, std::floor(std::log10(tick.value) + 1e-9))));
+      const float at = across ? from.x + static_cast<float>(axis.share(tick.value)) * (to.x - from.x)
+                              : to.y - static_cast<float>(axis.share(tick.value)) * (to.y - from.y);
+      if (across)
+        list.AddLine({at, from.y}, {at, to.y}, tick.major ? line : faint);
+      else
+        list.AddLine({from.x, at}, {to.x, at}, tick.major ? line : faint);
+      const int digit =
+          static_cast<int>(std::lround(tick.value / std::pow(10, std::floor(std::log10(tick.value) + 1e-9))));
       if (!tick.major && !(few && (digit == 2 || digit == 5))) continue;
       const std::string label = tickText(tick.value);
       const ImVec2 extent = ImGui::CalcTextSize(label.c_str());
-      if (across) list.AddText({at - extent.x / 2, to.y + 3}, text, label.c_str());
-      else list.AddText({from.x - extent.x - 5, at - extent.y / 2}, text, label.c_str());
+      if (across)
+        list.AddText({at - extent.x / 2, to.y + 3}, text, label.c_str());
+      else
+        list.AddText({from.x - extent.x - 5, at - extent.y / 2}, text, label.c_str());
     }
   };
   grid(x, true);
@@ -205,7 +219,8 @@ void PlotPanel::chart(ResearchContext& context) {
     const float side = p.x + 10 + extent.x > to.x ? -10 - extent.x : 10;
     list.AddText({p.x + side, p.y - extent.y / 2}, text, entry.label.c_str());
     context.workspace.widgets["plot " + entry.label] = {p.x - 4, p.y - 4, 8, 8};
-    if (const float d = std::hypot(mouse.x - p.x, mouse.y - p.y); hovered && d < distance) distance = d, nearest = &entry;
+    if (const float d = std::hypot(mouse.x - p.x, mouse.y - p.y); hovered && d < distance)
+      distance = d, nearest = &entry;
   }
   float below = from.y + 6;
   for (const Entry& entry : entries_) {
@@ -213,7 +228,9 @@ void PlotPanel::chart(ResearchContext& context) {
     list.AddText({from.x + 8, below}, ImGui::GetColorU32(kErrorColor), (entry.label + ": " + entry.failure).c_str());
     below += ImGui::GetTextLineHeightWithSpacing();
   }
-  if (entries_.empty()) list.AddText({from.x + 10, from.y + 10}, ImGui::GetColorU32(kDimColor), "Every technique with the present settings, at the present size");
+  if (entries_.empty())
+    list.AddText({from.x + 10, from.y + 10}, ImGui::GetColorU32(kDimColor),
+                 "Every technique with the present settings, at the present size");
   if (nearest) tooltip(context, *nearest);
   if (nearest && clicked) apply(context, *nearest);
 }
@@ -222,13 +239,15 @@ std::string PlotPanel::changesOf(const ResearchContext& context, const Entry& en
   std::string lines;
   for (const params::Parameter& parameter : context.session.table().parameters()) {
     const auto value = entry.values.find(parameter.id);
-    if (value != entry.values.end() && value->second != parameter.defaultValue) lines += "\n" + parameter.id + " = " + params::toText(parameter, value->second);
+    if (value != entry.values.end() && value->second != parameter.defaultValue)
+      lines += "\n" + parameter.id + " = " + params::toText(parameter, value->second);
   }
   return lines;
 }
 
 void PlotPanel::tooltip(const ResearchContext& context, const Entry& entry) const {
-  ImGui::SetTooltip("%s\n%.3f ms   nRMSE %.4g\nsettings besides the defaults:%s\nclick to apply them", entry.label.c_str(), entry.point.milliseconds, entry.point.error,
+  ImGui::SetTooltip("%s\n%.3f ms   nRMSE %.4g\nsettings besides the defaults:%s\nclick to apply them",
+                    entry.label.c_str(), entry.point.milliseconds, entry.point.error,
                     changesOf(context, entry).c_str());
 }
 
@@ -246,7 +265,8 @@ void PlotPanel::tell(Workspace& workspace) const {
   char text[96];
   for (const Entry& entry : entries_) {
     if (!entry.measured) continue;
-    std::snprintf(text, sizeof text, "%s%s %.6g %.9g", line.empty() ? "" : "; ", entry.label.c_str(), entry.point.milliseconds, entry.point.error);
+    std::snprintf(text, sizeof text, "%s%s %.6g %.9g", line.empty() ? "" : "; ", entry.label.c_str(),
+                  entry.point.milliseconds, entry.point.error);
     line += text;
   }
   workspace.facts["plot"] = line;

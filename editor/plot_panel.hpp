@@ -21,7 +21,7 @@ class PlotPanel {
     std::map<std::string, double> values;  ///< every parameter
     bool extra = false;                    ///< added by hand: stays when all are measured anew
     bool measured = false;
-    std::string failure;                   ///< why it could not be measured
+    std::string failure;  ///< why it could not be measured
     PlotPoint point;
   };
   void fill(ResearchContext& context);
@@ -33,9 +33,9 @@ class PlotPanel {
   void tell(Workspace& workspace) const;
 
   std::vector<Entry> entries_;
-  Shot shot_;                        ///< that the entries are of, whatever their values
+  Shot shot_;  ///< that the entries are of, whatever their values
   JobPointer job_;
-  std::uint32_t run_ = 0;            ///< grows with each list of entries: results of earlier ones are dropped
+  std::uint32_t run_ = 0;  ///< grows with each list of entries: results of earlier ones are dropped
   bool measuring_ = false;
   int repeats_ = 3;
 };

@@ -5,13 +5,15 @@
 namespace tyndall::editor {
 namespace {
 
-// How long the view must have been the same before background work starts: a flight or a drag on a slider is no wish for it.
+// How long the view must have been the same before background work starts: a flight or a drag on a slider is no wish
+// for it.
 constexpr double kSettleSeconds = 0.3;
 
 std::string textOf(const std::vector<app::ViewRequest>& requests) {
   std::string text;
   for (const app::ViewRequest& request : requests)
-    text += request.name + " " + std::to_string(request.layer.value_or(~0u)) + " " + std::to_string(request.mip.value_or(~0u)) + "\n";
+    text += request.name + " " + std::to_string(request.layer.value_or(~0u)) + " " +
+            std::to_string(request.mip.value_or(~0u)) + "\n";
   return text;
 }
 
@@ -41,7 +43,8 @@ ResearchContext Research::context(Workspace& workspace, const Viewport& viewport
   context.shot.camera = viewport.camera;
   context.shot.seconds = workspace.seconds;
   context.shot.width = viewport.width, context.shot.height = viewport.height;
-  for (const params::Parameter& parameter : session_.table().parameters()) context.shot.values[parameter.id] = session_.table().value(parameter.id);
+  for (const params::Parameter& parameter : session_.table().parameters())
+    context.shot.values[parameter.id] = session_.table().value(parameter.id);
   const double now = ImGui::GetTime();
   if (!(context.shot == lastShot_)) lastShot_ = context.shot, changedAt_ = now;
   context.settled = !viewport.moving && now - changedAt_ >= kSettleSeconds;
@@ -64,7 +67,8 @@ void Research::draw(Workspace& workspace, const Viewport& viewport) {
   std::optional<glm::ivec2> pixel;
   if (viewport.hovered) {
     const glm::vec2 mouse = (toGlm(ImGui::GetIO().MousePos) - viewport.low) / viewport.size;
-    pixel = glm::ivec2(glm::floor(mouse * glm::vec2(static_cast<float>(viewport.width), static_cast<float>(viewport.height))));
+    pixel = glm::ivec2(
+        glm::floor(mouse * glm::vec2(static_cast<float>(viewport.width), static_cast<float>(viewport.height))));
   }
   link_.hover(pixel);
   // Windows may point at pixels too; what they show of the link is then a frame old.
@@ -83,7 +87,9 @@ void Research::bar(ResearchContext& context, const Viewport& viewport) {
   ImGui::SetNextWindowBgAlpha(0.75f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(4, 3));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-  ImGui::Begin("research bar", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::Begin("research bar", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
   if (ImGui::Button("views ...")) ImGui::OpenPopup("view menu");
   context.workspace.place("views");
   viewMenu(context);
@@ -143,16 +149,19 @@ void Research::updateViews(ResearchContext& context) {
   viewsShot_ = context.shot;
   viewsWanted_ = wanted;
   Workspace* workspace = &context.workspace;
-  viewsJob_ = laboratory->render("views", {context.shot, requests, false, 0}, [this, workspace, requests, ofWindows, shot = context.shot](Result<RenderResult> result) {
-    if (!result) return workspace->tell("views: " + result.error().message, true);
-    std::vector<app::ViewPicture>& views = result->views;
-    ResearchContext roles{session_, *workspace, renderer_, {}, false, {}, {}};
-    for (const render::DebugViewInfo& view : session_.debugViews()) roles.roles[view.name] = view.role;
-    link_.take(roles, {views.begin() + static_cast<std::ptrdiff_t>(std::min(ofWindows, views.size())), views.end()}, shot);
-    for (std::size_t i = 0; i < std::min(ofWindows, views.size()); ++i)
-      for (const auto& window : windows_)
-        if (window->request() == requests[i]) window->take(views[i], shot);
-  });
+  viewsJob_ = laboratory->render(
+      "views", {context.shot, requests, false, 0},
+      [this, workspace, requests, ofWindows, shot = context.shot](Result<RenderResult> result) {
+        if (!result) return workspace->tell("views: " + result.error().message, true);
+        std::vector<app::ViewPicture>& views = result->views;
+        ResearchContext roles{session_, *workspace, renderer_, {}, false, {}, {}};
+        for (const render::DebugViewInfo& view : session_.debugViews()) roles.roles[view.name] = view.role;
+        link_.take(roles, {views.begin() + static_cast<std::ptrdiff_t>(std::min(ofWindows, views.size())), views.end()},
+                   shot);
+        for (std::size_t i = 0; i < std::min(ofWindows, views.size()); ++i)
+          for (const auto& window : windows_)
+            if (window->request() == requests[i]) window->take(views[i], shot);
+      });
 }
 
 }  // namespace tyndall::editor

@@ -1,5 +1,6 @@
-// The researcher's side of the editor: debug views as image viewers, the link between pixels and rectified maps, references, and the
-// plot of error against time. The editor gives it each frame what the viewport shows; it does its work beside the window.
+// The researcher's side of the editor: debug views as image viewers, the link between pixels and rectified maps,
+// references, and the plot of error against time. The editor gives it each frame what the viewport shows; it does its
+// work beside the window.
 #pragma once
 
 #include <memory>
@@ -14,7 +15,8 @@ namespace tyndall::editor {
 
 class Research {
  public:
-  Research(app::Session& session, ImGuiRenderer& renderer, Laboratory::Options options) : session_(session), renderer_(renderer), options_(std::move(options)) {}
+  Research(app::Session& session, ImGuiRenderer& renderer, Laboratory::Options options)
+      : session_(session), renderer_(renderer), options_(std::move(options)) {}
 
   /// What the viewport shows, and where on the screen (points).
   struct Viewport {
@@ -46,7 +48,7 @@ class Research {
   std::uint32_t levelEdits_ = ~0u;
   std::string levelPath_;
   Shot lastShot_;
-  double changedAt_ = 0;                     ///< when the shot was another last, seconds of ImGui's clock
+  double changedAt_ = 0;  ///< when the shot was another last, seconds of ImGui's clock
 
   std::vector<std::unique_ptr<ViewWindow>> windows_;
   int opened_ = 0;
@@ -54,10 +56,10 @@ class Research {
   TruthPanel truth_;
   PlotPanel plot_;
   JobPointer viewsJob_;
-  Shot viewsShot_;                            ///< that viewsJob_ is for, or was
-  std::string viewsWanted_;                   ///< which views, layers and mips it brings
+  Shot viewsShot_;           ///< that viewsJob_ is for, or was
+  std::string viewsWanted_;  ///< which views, layers and mips it brings
 
-  std::unique_ptr<Laboratory> laboratory_;    ///< last: its thread ends before what its jobs report to
+  std::unique_ptr<Laboratory> laboratory_;  ///< last: its thread ends before what its jobs report to
 };
 
 }  // namespace tyndall::editor

@@ -14,8 +14,8 @@ struct ResearchContext {
   app::Session& session;
   Workspace& workspace;
   ImGuiRenderer& renderer;
-  Shot shot;                 ///< what the viewport shows or is about to
-  bool settled = false;      ///< it has been the same for a moment: background work is worth its while
+  Shot shot;             ///< what the viewport shows or is about to
+  bool settled = false;  ///< it has been the same for a moment: background work is worth its while
   std::map<std::string, render::ViewRole> roles;  ///< of every debug view that the present layout has
   std::function<Laboratory*()> laboratory;        ///< opens it at its first use; null: it cannot be, which was told
 

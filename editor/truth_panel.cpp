@@ -37,7 +37,8 @@ void TruthPanel::draw(ResearchContext& context) {
   if (const auto& metrics = reference.metrics()) {
     const ScatterPicture& truth = *reference.truth();
     char text[160];
-    std::snprintf(text, sizeof text, "%u %u %.9g %.9g %.9g %.9g", truth.scatter.width, truth.scatter.height, metrics->nRmse, metrics->p99, metrics->max, metrics->bias);
+    std::snprintf(text, sizeof text, "%u %u %.9g %.9g %.9g %.9g", truth.scatter.width, truth.scatter.height,
+                  metrics->nRmse, metrics->p99, metrics->max, metrics->bias);
     facts["error"] = text;
   }
   if (!open) reference.cancel();
@@ -49,7 +50,9 @@ void TruthPanel::controls(ResearchContext& context) {
   if (ImGui::BeginCombo("##kind", kKinds[static_cast<int>(reference.kind)])) {
     for (int i = 0; i < 3; ++i) {
       const bool possible = i != static_cast<int>(ReferenceKind::kStored) || reference.hasStored();
-      if (ImGui::Selectable(kKinds[i], i == static_cast<int>(reference.kind), possible ? 0 : ImGuiSelectableFlags_Disabled)) reference.kind = static_cast<ReferenceKind>(i);
+      if (ImGui::Selectable(kKinds[i], i == static_cast<int>(reference.kind),
+                            possible ? 0 : ImGuiSelectableFlags_Disabled))
+        reference.kind = static_cast<ReferenceKind>(i);
       workspace.place(std::string("reference kind ") + kKinds[i]);
     }
     ImGui::EndCombo();
@@ -92,8 +95,10 @@ void TruthPanel::figures(ResearchContext& context) {
     ImGui::TextColored(kDimColor, "nRMSE -   p99 -   max -");
   } else {
     const ScatterPicture& truth = *reference.truth();
-    ImGui::Text("nRMSE %.4g   p99 %.4g   max %.4g   bias %+.4g", metrics->nRmse, metrics->p99, metrics->max, metrics->bias);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Of R, G, B together, relative to the reference's mean, %.5g", metrics->referenceMean);
+    ImGui::Text("nRMSE %.4g   p99 %.4g   max %.4g   bias %+.4g", metrics->nRmse, metrics->p99, metrics->max,
+                metrics->bias);
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("Of R, G, B together, relative to the reference's mean, %.5g", metrics->referenceMean);
     ImGui::SameLine();
     ImGui::TextColored(kDimColor, "at %u x %u,", truth.scatter.width, truth.scatter.height);
     ImGui::SameLine();
@@ -132,7 +137,8 @@ void TruthPanel::showChoice(ResearchContext& context) {
   if (show_ != Show::kError) return;
   ImGui::SameLine();
   ImGui::SetNextItemWidth(60);
-  ImGui::DragFloat("##most", &mostError_, 0.002f, 1e-4f, 10, "%.3g", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+  ImGui::DragFloat("##most", &mostError_, 0.002f, 1e-4f, 10, "%.3g",
+                   ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   workspace.place("reference error range");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Error at the ends of the colours, relative to the reference's mean");
 }
@@ -142,7 +148,9 @@ void TruthPanel::map(ResearchContext& context) {
   const ScatterPicture* a = reference.picture();
   const ScatterPicture* b = reference.truth();
   const auto exposure = static_cast<float>(context.session.table().value("view.exposure"));
-  if (!a || !b || !reference.metrics() || (mapped_ == reference.version() && mappedExposure_ == exposure && mappedError_ == mostError_)) return;
+  if (!a || !b || !reference.metrics() ||
+      (mapped_ == reference.version() && mappedExposure_ == exposure && mappedError_ == mostError_))
+    return;
   mapped_ = reference.version(), mappedExposure_ = exposure, mappedError_ = mostError_;
   const std::uint32_t width = a->scatter.width, height = a->scatter.height;
   const Stretch stretch{4, false, 0, 1 / std::max(exposure, 1e-6f)};
@@ -155,8 +163,11 @@ void TruthPanel::map(ResearchContext& context) {
     return values;
   };
   const std::vector<float> first = rgb(a->scatter), second = rgb(b->scatter);
-  for (auto done : {picture_.set(context.renderer, width, height, stretched(first, 3, stretch)), reference_.set(context.renderer, width, height, stretched(second, 3, stretch)),
-                    error_.set(context.renderer, width, height, errorMap(first, second, 3, mostError_ * static_cast<float>(reference.metrics()->referenceMean)))})
+  for (auto done :
+       {picture_.set(context.renderer, width, height, stretched(first, 3, stretch)),
+        reference_.set(context.renderer, width, height, stretched(second, 3, stretch)),
+        error_.set(context.renderer, width, height,
+                   errorMap(first, second, 3, mostError_ * static_cast<float>(reference.metrics()->referenceMean)))})
     if (!done) context.workspace.tell(done.error().message, true);
 }
 
@@ -171,19 +182,28 @@ void TruthPanel::picture(ResearchContext& context) {
   const bool showsB = show_ == Show::kReference || (show_ == Show::kFlicker && second);
   const ViewTexture& texture = show_ == Show::kError ? error_ : showsB ? reference_ : picture_;
   canvas_.dragTaken = dividerHeld_;
-  const auto seen = canvas_.begin(context.workspace, "reference", {room.x, std::max(room.y - line, 20.0f)}, size, texture);
-  if (!a) seen.list->AddText(toIm(seen.low + 8.0f), ImGui::GetColorU32(kDimColor), reference.active() ? "the first picture comes soon ..." : "start a reference to compare with");
-  else if (show_ == Show::kSplit) divider(seen, context, glm::vec2(size));
-  else if (show_ == Show::kError) scaleBar(seen);
-  else seen.list->AddText(toIm(seen.low + 6.0f), IM_COL32(255, 255, 255, 200), showsB ? "B" : "A");
+  const auto seen =
+      canvas_.begin(context.workspace, "reference", {room.x, std::max(room.y - line, 20.0f)}, size, texture);
+  if (!a)
+    seen.list->AddText(toIm(seen.low + 8.0f), ImGui::GetColorU32(kDimColor),
+                       reference.active() ? "the first picture comes soon ..." : "start a reference to compare with");
+  else if (show_ == Show::kSplit)
+    divider(seen, context, glm::vec2(size));
+  else if (show_ == Show::kError)
+    scaleBar(seen);
+  else
+    seen.list->AddText(toIm(seen.low + 6.0f), IM_COL32(255, 255, 255, 200), showsB ? "B" : "A");
   canvas_.end(seen);
   if (!a || !b || !seen.hovered) {
     ImGui::TextUnformatted("");
     return;
   }
   const auto x = static_cast<std::uint32_t>(seen.hovered->x), y = static_cast<std::uint32_t>(seen.hovered->y);
-  const auto value = [&](const image::FloatImage& picture, std::uint32_t c) { return static_cast<double>(picture.at(x, y, c)); };
-  ImGui::Text("%u %u   A %.4g %.4g %.4g   B %.4g %.4g %.4g", x, y, value(a->scatter, 0), value(a->scatter, 1), value(a->scatter, 2), value(b->scatter, 0), value(b->scatter, 1), value(b->scatter, 2));
+  const auto value = [&](const image::FloatImage& picture, std::uint32_t c) {
+    return static_cast<double>(picture.at(x, y, c));
+  };
+  ImGui::Text("%u %u   A %.4g %.4g %.4g   B %.4g %.4g %.4g", x, y, value(a->scatter, 0), value(a->scatter, 1),
+              value(a->scatter, 2), value(b->scatter, 0), value(b->scatter, 1), value(b->scatter, 2));
 }
 
 /// A is drawn already; B over it, right of the divider, which the mouse drags.
@@ -201,7 +221,8 @@ void TruthPanel::divider(const ViewCanvas::Seen& seen, ResearchContext& context,
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) dividerHeld_ = false;
   if (dividerHeld_) divider_ = std::clamp((mouse.x - low.x) / std::max(high.x - low.x, 1.0f), 0.0f, 1.0f);
   if (near || dividerHeld_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  seen.list->AddLine({x, std::max(low.y, seen.low.y)}, {x, std::min(high.y, seen.low.y + seen.size.y)}, near || dividerHeld_ ? IM_COL32(255, 205, 90, 255) : IM_COL32(255, 255, 255, 180), 2);
+  seen.list->AddLine({x, std::max(low.y, seen.low.y)}, {x, std::min(high.y, seen.low.y + seen.size.y)},
+                     near || dividerHeld_ ? IM_COL32(255, 205, 90, 255) : IM_COL32(255, 255, 255, 180), 2);
   seen.list->AddText({x - 16, seen.low.y + 4}, IM_COL32(255, 255, 255, 220), "A");
   seen.list->AddText({x + 8, seen.low.y + 4}, IM_COL32(255, 255, 255, 220), "B");
   context.workspace.widgets["reference divider"] = {x - 3, seen.low.y, 6, seen.size.y};
@@ -212,17 +233,21 @@ void TruthPanel::divider(const ViewCanvas::Seen& seen, ResearchContext& context,
 
 void TruthPanel::scaleBar(const ViewCanvas::Seen& seen) const {
   const ImVec2 low{seen.low.x + 10, seen.low.y + seen.size.y - 36};
-  seen.list->AddRectFilled({low.x - 6, low.y - 6}, {low.x + kBarWidth + 6, low.y + kBarHeight + 20}, IM_COL32(0, 0, 0, 170), 3);
+  seen.list->AddRectFilled({low.x - 6, low.y - 6}, {low.x + kBarWidth + 6, low.y + kBarHeight + 20},
+                           IM_COL32(0, 0, 0, 170), 3);
   constexpr int kParts = 60;
   for (int i = 0; i < kParts; ++i) {
     const float share = (static_cast<float>(i) + 0.5f) / kParts;
     const Rgb c = signedColour(share * 2 - 1);
-    seen.list->AddRectFilled({low.x + kBarWidth * static_cast<float>(i) / kParts, low.y}, {low.x + kBarWidth * static_cast<float>(i + 1) / kParts, low.y + kBarHeight}, IM_COL32(c[0], c[1], c[2], 255));
+    seen.list->AddRectFilled({low.x + kBarWidth * static_cast<float>(i) / kParts, low.y},
+                             {low.x + kBarWidth * static_cast<float>(i + 1) / kParts, low.y + kBarHeight},
+                             IM_COL32(c[0], c[1], c[2], 255));
   }
   const auto label = [&](float share, double value, float align) {
     char text[32];
     std::snprintf(text, sizeof text, value == 0 ? "0" : "%+.3g", value);
-    seen.list->AddText({low.x + kBarWidth * share - ImGui::CalcTextSize(text).x * align, low.y + kBarHeight + 2}, IM_COL32(255, 255, 255, 230), text);
+    seen.list->AddText({low.x + kBarWidth * share - ImGui::CalcTextSize(text).x * align, low.y + kBarHeight + 2},
+                       IM_COL32(255, 255, 255, 230), text);
   };
   label(0, -static_cast<double>(mostError_), 0);
   label(0.5f, 0, 0.5f);

@@ -24,8 +24,8 @@ class TruthPanel {
   void scaleBar(const ViewCanvas::Seen& seen) const;
 
   Show show_ = Show::kSplit;
-  float divider_ = 0.5f;     ///< share of the picture that shows the present settings
-  float mostError_ = 0.1f;   ///< relative to the reference's mean: the ends of the map's colours
+  float divider_ = 0.5f;    ///< share of the picture that shows the present settings
+  float mostError_ = 0.1f;  ///< relative to the reference's mean: the ends of the map's colours
   ViewCanvas canvas_;
   ViewTexture picture_, reference_, error_;
   std::uint32_t mapped_ = ~0u;  ///< version of the pictures in the textures

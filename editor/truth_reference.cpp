@@ -17,7 +17,8 @@ const ScatterPicture* Reference::source() const {
 
 bool Reference::comparable() const {
   const ScatterPicture* truth = source();
-  return truth && current_ && current_->scatter.width == truth->scatter.width && current_->scatter.height == truth->scatter.height;
+  return truth && current_ && current_->scatter.width == truth->scatter.width &&
+         current_->scatter.height == truth->scatter.height;
 }
 
 bool Reference::valid(const ResearchContext& context) const {
@@ -64,7 +65,8 @@ void Reference::startSize(ResearchContext& context, std::uint32_t divisor) {
   task.reference = true;
   const host::Plugin& plugin = context.session.catalogue().effectPlugin();
   for (const params::Parameter& parameter : context.session.table().parameters()) {
-    const bool selector = plugin.selector() < plugin.parameters().size() && parameter.id == plugin.parameters()[plugin.selector()].id;
+    const bool selector =
+        plugin.selector() < plugin.parameters().size() && parameter.id == plugin.parameters()[plugin.selector()].id;
     if (selector || parameter.id == plugin.id() + ".enabled") task.shot.values[parameter.id] = parameter.defaultValue;
   }
   job_ = laboratory->render("dense march, " + size, task, [done](Result<RenderResult> result) {
@@ -100,13 +102,14 @@ void Reference::renderCurrent(ResearchContext& context) {
   if (!laboratory) return;
   currentShot_ = shot;
   Workspace* workspace = &context.workspace;
-  currentJob_ = laboratory->render("picture to compare", {shot, {}, false, 1}, [this, shot, workspace](Result<RenderResult> result) {
-    if (!result) return workspace->tell(result.error().message, true);
-    current_ = ScatterPicture{shot, std::move(result->scatter)};
-    effectMs_ = result->effectMs;
-    ++version_;
-    compare(*workspace);
-  });
+  currentJob_ = laboratory->render("picture to compare", {shot, {}, false, 1},
+                                   [this, shot, workspace](Result<RenderResult> result) {
+                                     if (!result) return workspace->tell(result.error().message, true);
+                                     current_ = ScatterPicture{shot, std::move(result->scatter)};
+                                     effectMs_ = result->effectMs;
+                                     ++version_;
+                                     compare(*workspace);
+                                   });
 }
 
 void Reference::compare(Workspace& workspace) {

@@ -21,14 +21,15 @@ class ViewCanvas {
   void buttons(Workspace& workspace, const std::string& name);
 
   struct Seen {
-    ImDrawList* list = nullptr;           ///< clipped to the canvas until end()
-    glm::vec2 low{0}, size{0};            ///< of the canvas, points of the screen
-    std::optional<glm::ivec2> hovered;    ///< texel under the mouse
-    bool clicked = false;                 ///< pressed and let go without a drag
+    ImDrawList* list = nullptr;         ///< clipped to the canvas until end()
+    glm::vec2 low{0}, size{0};          ///< of the canvas, points of the screen
+    std::optional<glm::ivec2> hovered;  ///< texel under the mouse
+    bool clicked = false;               ///< pressed and let go without a drag
     glm::vec2 pointOf(glm::vec2 texel) const { return low + transform->pointOf(texel); }
     const ViewTransform* transform = nullptr;
   };
-  /// Takes `size` points of the current window; an image of other dimensions than the last is fitted. Draws `texture` unless it is empty.
+  /// Takes `size` points of the current window; an image of other dimensions than the last is fitted. Draws `texture`
+  /// unless it is empty.
   Seen begin(Workspace& workspace, const std::string& name, ImVec2 size, glm::uvec2 image, const ViewTexture& texture);
   void end(const Seen& seen) { seen.list->PopClipRect(); }
   const ViewTransform& transform() const { return transform_; }

@@ -12,10 +12,12 @@ namespace {
 
 using render::ViewRole;
 
-constexpr ImU32 kHoverColour = IM_COL32(255, 205, 90, 255), kPinColour = IM_COL32(90, 200, 255, 255), kBlockedColour = IM_COL32(255, 95, 80, 255),
-                kLitColour = IM_COL32(120, 220, 110, 255), kCurveColour = IM_COL32(200, 205, 215, 255);
+constexpr ImU32 kHoverColour = IM_COL32(255, 205, 90, 255), kPinColour = IM_COL32(90, 200, 255, 255),
+                kBlockedColour = IM_COL32(255, 95, 80, 255), kLitColour = IM_COL32(120, 220, 110, 255),
+                kCurveColour = IM_COL32(200, 205, 215, 255);
 
-constexpr ViewRole kRoles[] = {ViewRole::kRowPlace, ViewRole::kLightRayStart, ViewRole::kLightRayEnd, ViewRole::kRowDepths};
+constexpr ViewRole kRoles[] = {ViewRole::kRowPlace, ViewRole::kLightRayStart, ViewRole::kLightRayEnd,
+                               ViewRole::kRowDepths};
 
 /// Texel of an image at a share of it.
 glm::uvec2 texelAt(const app::ViewPicture& picture, glm::vec2 share) {
@@ -57,7 +59,9 @@ std::optional<LightRay> RowLink::rayAt(glm::vec2 share) const {
   if (starts_.values.empty() || ends_.values.empty()) return std::nullopt;
   const glm::uvec2 at = texelAt(starts_, share);
   if (starts_.at(at.x, at.y, 3) < 0.5f) return std::nullopt;
-  const auto point = [&](const app::ViewPicture& p) { return glm::vec3(p.at(at.x, at.y, 0), p.at(at.x, at.y, 1), p.at(at.x, at.y, 2)); };
+  const auto point = [&](const app::ViewPicture& p) {
+    return glm::vec3(p.at(at.x, at.y, 0), p.at(at.x, at.y, 1), p.at(at.x, at.y, 2));
+  };
   return LightRay{point(starts_), point(ends_), ends_.at(at.x, at.y, 3) > 0.5f};
 }
 
@@ -67,15 +71,18 @@ void RowLink::update(ResearchContext& context) {
   if (pixel_ && !places_.values.empty() && !stale(context)) {
     const glm::ivec2 p = *pixel_;
     if (p.x >= 0 && p.y >= 0 && p.x < static_cast<int>(places_.width) && p.y < static_cast<int>(places_.height)) {
-      const auto value = [&](std::uint32_t c) { return places_.at(static_cast<std::uint32_t>(p.x), static_cast<std::uint32_t>(p.y), c); };
+      const auto value = [&](std::uint32_t c) {
+        return places_.at(static_cast<std::uint32_t>(p.x), static_cast<std::uint32_t>(p.y), c);
+      };
       place_ = RowPlace{{value(0), value(1)}, value(2), value(3)};
       hoveredRay_ = rayAt(place_->share);
       facts["link"] = text("%.0f %.0f %.9g %.9g %.9g %.9g", p.x, p.y, value(0), value(1), value(2), value(3));
     }
   }
   if (pinned_) pinnedRay_ = rayAt(*pinned_);
-  if (pinnedRay_) facts["pinned ray"] = text("%.9g %.9g %.9g %.9g %.9g %.9g", pinnedRay_->start.x, pinnedRay_->start.y, pinnedRay_->start.z, pinnedRay_->end.x,
-                                             pinnedRay_->end.y, pinnedRay_->end.z);
+  if (pinnedRay_)
+    facts["pinned ray"] = text("%.9g %.9g %.9g %.9g %.9g %.9g", pinnedRay_->start.x, pinnedRay_->start.y,
+                               pinnedRay_->start.z, pinnedRay_->end.x, pinnedRay_->end.y, pinnedRay_->end.z);
 }
 
 void RowLink::drawMarks(ImDrawList& list, const std::function<ImVec2(glm::vec2)>& pointOf) const {
@@ -106,8 +113,10 @@ void RowLink::drawRays(const ResearchContext& context, ImDrawList& list, glm::ve
     // Dark below, so that it is seen on every picture.
     list.AddLine(toIm(low + from), toIm(low + to), IM_COL32(0, 0, 0, 160), width + 2);
     list.AddLine(toIm(low + from), toIm(low + to), colour, width);
-    if (ray.blocked) list.AddCircleFilled(toIm(low + to), 4.5f, kBlockedColour);
-    else list.AddCircle(toIm(low + to), 4, colour);
+    if (ray.blocked)
+      list.AddCircleFilled(toIm(low + to), 4.5f, kBlockedColour);
+    else
+      list.AddCircle(toIm(low + to), 4, colour);
   };
   if (hoveredRay_ && open) draw(*hoveredRay_, kHoverColour, 1.0f);
   if (pinnedRay_ && open) draw(*pinnedRay_, kPinColour, 2.0f);
@@ -118,27 +127,35 @@ void RowLink::draw(ResearchContext& context) {
   if (!open) return;
   ImGui::SetNextWindowSize({430, 235}, ImGuiCond_FirstUseEver);
   // Low in the corner, where it hides little of the picture.
-  ImGui::SetNextWindowPos({6, ImGui::GetIO().DisplaySize.y - 270}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowPos({6, std::max(ImGui::GetIO().DisplaySize.y - 270, 60.0f)}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Row of a pixel", &open, ImGuiWindowFlags_NoFocusOnAppearing)) {
-    if (context.viewOf(ViewRole::kRowPlace).empty()) ImGui::TextUnformatted("The technique in use works on no rows.");
-    else if (places_.values.empty()) ImGui::TextUnformatted("Waiting for the maps ...");
-    else if (stale(context)) ImGui::TextColored(kDimColor, "the view has changed; the maps follow");
+    if (context.viewOf(ViewRole::kRowPlace).empty())
+      ImGui::TextUnformatted("The technique in use works on no rows.");
+    else if (places_.values.empty())
+      ImGui::TextUnformatted("Waiting for the maps ...");
+    else if (stale(context))
+      ImGui::TextColored(kDimColor, "the view has changed; the maps follow");
     else if (place_) {
       const glm::uvec2 at = texelAt(depths_.values.empty() ? places_ : depths_, place_->share);
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kHoverColour), "pixel %d %d   slice %u   column %u   inclination %.3f deg   depth %.5f", pixel_->x, pixel_->y, at.x, at.y,
-                         static_cast<double>(place_->inclination) * 180 / std::numbers::pi, static_cast<double>(place_->depth));
-    } else ImGui::TextColored(kDimColor, "point at the picture to see where its ray lies in the maps");
+      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kHoverColour),
+                         "pixel %d %d   slice %u   column %u   inclination %.3f deg   depth %.5f", pixel_->x, pixel_->y,
+                         at.x, at.y, static_cast<double>(place_->inclination) * 180 / std::numbers::pi,
+                         static_cast<double>(place_->depth));
+    } else
+      ImGui::TextColored(kDimColor, "point at the picture to see where its ray lies in the maps");
     if (pinnedRay_)
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kPinColour), "pinned light ray %s at (%.3f, %.3f, %.3f)", pinnedRay_->blocked ? "is blocked" : "leaves the view", static_cast<double>(pinnedRay_->end.x),
+      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kPinColour), "pinned light ray %s at (%.3f, %.3f, %.3f)",
+                         pinnedRay_->blocked ? "is blocked" : "leaves the view", static_cast<double>(pinnedRay_->end.x),
                          static_cast<double>(pinnedRay_->end.y), static_cast<double>(pinnedRay_->end.z));
-    else ImGui::TextColored(kDimColor, "click a texel of a map of rows to see its light ray in the picture");
+    else
+      ImGui::TextColored(kDimColor, "click a texel of a map of rows to see its light ray in the picture");
     if (!depths_.values.empty()) drawProfile(std::max(ImGui::GetContentRegionAvail().y, 60.0f));
   }
   ImGui::End();
 }
 
-/// The depths of the first blockers along the row, and the ray's own depth over the columns that it passes: lit where the blocker
-/// lies below (farther from the light).
+/// The depths of the first blockers along the row, and the ray's own depth over the columns that it passes: lit where
+/// the blocker lies below (farther from the light).
 void RowLink::drawProfile(float height) const {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = std::max(ImGui::GetContentRegionAvail().x, 40.0f);
@@ -149,7 +166,8 @@ void RowLink::drawProfile(float height) const {
   if (!share) return;
   const std::uint32_t slice = texelAt(depths_, *share).x;
   const auto pointOf = [&](float column, float depth) {
-    return ImVec2(low.x + column / static_cast<float>(depths_.height) * width, low.y + 2 + std::clamp(depth, 0.0f, 1.0f) * (height - 4));
+    return ImVec2(low.x + column / static_cast<float>(depths_.height) * width,
+                  low.y + 2 + std::clamp(depth, 0.0f, 1.0f) * (height - 4));
   };
   for (std::uint32_t column = 0; column < depths_.height; ++column) {
     const float depth = depths_.at(slice, column, 0), at = static_cast<float>(column);
@@ -162,9 +180,11 @@ void RowLink::drawProfile(float height) const {
   for (std::uint32_t column = 0; static_cast<float>(column) < end; ++column) {
     const float at = static_cast<float>(column);
     const bool lit = place_->depth <= depths_.at(slice, column, 0);
-    list.AddLine(pointOf(at, place_->depth), pointOf(std::min(at + 1, end), place_->depth), lit ? kLitColour : kBlockedColour, 2);
+    list.AddLine(pointOf(at, place_->depth), pointOf(std::min(at + 1, end), place_->depth),
+                 lit ? kLitColour : kBlockedColour, 2);
   }
-  list.AddLine(pointOf(end, place_->depth), pointOf(static_cast<float>(depths_.height), place_->depth), IM_COL32(255, 205, 90, 70));
+  list.AddLine(pointOf(end, place_->depth), pointOf(static_cast<float>(depths_.height), place_->depth),
+               IM_COL32(255, 205, 90, 70));
   list.AddCircleFilled(pointOf(end, place_->depth), 3.5f, kHoverColour);
 }
 

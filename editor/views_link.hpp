@@ -1,5 +1,5 @@
-// The link between pixels and rectified maps, both ways: which texel a pixel's ray ends in, and which light ray a texel is.
-// Knows the maps by the roles of the plugin's debug views (TyViewRole) alone.
+// The link between pixels and rectified maps, both ways: which texel a pixel's ray ends in, and which light ray a texel
+// is. Knows the maps by the roles of the plugin's debug views (TyViewRole) alone.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@ namespace tyndall::editor {
 
 /// A place in the maps of rows, whatever their size.
 struct RowPlace {
-  glm::vec2 share{0};    ///< slice and column, 0 to 1 over the map
-  float inclination = 0; ///< rad
-  float depth = 0;       ///< normalised
+  glm::vec2 share{0};     ///< slice and column, 0 to 1 over the map
+  float inclination = 0;  ///< rad
+  float depth = 0;        ///< normalised
 };
 struct LightRay {
   glm::vec3 start{0}, end{0};  ///< world, m
@@ -32,7 +32,7 @@ class RowLink {
   bool stale(const ResearchContext& context) const { return !(shot_ == context.shot); }
 
   void hover(std::optional<glm::ivec2> pixel) { pixel_ = pixel; }  ///< of the picture, in this frame
-  void pin(glm::vec2 share) { pinned_ = share; }                    ///< of the maps of rows
+  void pin(glm::vec2 share) { pinned_ = share; }                   ///< of the maps of rows
   /// Looks up what hovered pixel and pinned texel are.
   void update(ResearchContext& context);
 

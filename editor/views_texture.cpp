@@ -2,7 +2,8 @@
 
 namespace tyndall::editor {
 
-Result<void> ViewTexture::set(ImGuiRenderer& renderer, std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba) {
+Result<void> ViewTexture::set(ImGuiRenderer& renderer, std::uint32_t width, std::uint32_t height,
+                              std::span<const std::uint8_t> rgba) {
   if (!image_ || image_->desc().width != width || image_->desc().height != height) {
     gpu::ImageDesc desc{.name = "shown view", .format = VK_FORMAT_R8G8B8A8_UNORM, .width = width, .height = height};
     desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;

@@ -20,7 +20,8 @@ class ViewTexture {
   ViewTexture& operator=(const ViewTexture&) = delete;
 
   /// Uploads sRGB-coded RGBA bytes, width * height * 4 of them.
-  Result<void> set(ImGuiRenderer& renderer, std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba);
+  Result<void> set(ImGuiRenderer& renderer, std::uint32_t width, std::uint32_t height,
+                   std::span<const std::uint8_t> rgba);
   void clear();
   explicit operator bool() const { return texture_.has_value(); }
   /// For ImDrawList::AddImage in this frame. `nearest`: texels are squares.

@@ -1,4 +1,5 @@
-// Where an image lies in its window: zoom and pan. Points are the window's units, texels the image's; both from the upper left corner.
+// Where an image lies in its window: zoom and pan. Points are the window's units, texels the image's; both from the
+// upper left corner.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,9 @@ class ViewTransform {
     origin_ = point - texel * scale_;
   }
   /// All of the image, as large as the window holds it, in its middle.
-  void fit(glm::vec2 image, glm::vec2 window) { place(image, window, std::min(window.x / image.x, window.y / image.y)); }
+  void fit(glm::vec2 image, glm::vec2 window) {
+    place(image, window, std::min(window.x / image.x, window.y / image.y));
+  }
   /// One texel a point, the middle of the image in the window's middle.
   void oneToOne(glm::vec2 image, glm::vec2 window) { place(image, window, 1); }
 

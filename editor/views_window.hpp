@@ -29,14 +29,14 @@ class ViewWindow {
   void showOwnRange();
 
   std::string view_;
-  int number_;               ///< tells windows of one view apart
+  int number_;  ///< tells windows of one view apart
   app::ViewPicture picture_;
-  Shot shot_;                ///< that `picture_` is of
+  Shot shot_;  ///< that `picture_` is of
   std::optional<std::uint32_t> layer_, mip_;
   Stretch stretch_;
   ViewCanvas canvas_;
   ViewTexture texture_;
-  bool mapped_ = false;      ///< the texture shows `picture_` by `stretch_`
+  bool mapped_ = false;  ///< the texture shows `picture_` by `stretch_`
 };
 
 }  // namespace tyndall::editor

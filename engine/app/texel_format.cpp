@@ -63,14 +63,20 @@ std::vector<float> decodeTexels(VkFormat format, const std::byte* texels, std::s
   std::vector<float> values(count * known.channels);
   switch (format) {
     case VK_FORMAT_R8_UNORM:
-    case VK_FORMAT_R8G8B8A8_UNORM: decode<std::uint8_t>(texels, values, [](std::uint8_t v) { return static_cast<float>(v) / 255.0f; }); break;
+    case VK_FORMAT_R8G8B8A8_UNORM:
+      decode<std::uint8_t>(texels, values, [](std::uint8_t v) { return static_cast<float>(v) / 255.0f; });
+      break;
     case VK_FORMAT_R8G8B8A8_SRGB:
       decode<std::uint8_t>(texels, values, [](std::uint8_t v) { return static_cast<float>(v) / 255.0f; });
       for (std::size_t i = 0; i < values.size(); ++i)
         if (i % 4 != 3) values[i] = linearFromSrgb(values[i]);
       break;
-    case VK_FORMAT_A2B10G10R10_UNORM_PACK32: decodePacked(texels, values, 4, [](std::uint32_t w) { return glm::unpackUnorm3x10_1x2(w); }); break;
-    case VK_FORMAT_B10G11R11_UFLOAT_PACK32: decodePacked(texels, values, 3, [](std::uint32_t w) { return glm::unpackF2x11_1x10(w); }); break;
+    case VK_FORMAT_A2B10G10R10_UNORM_PACK32:
+      decodePacked(texels, values, 4, [](std::uint32_t w) { return glm::unpackUnorm3x10_1x2(w); });
+      break;
+    case VK_FORMAT_B10G11R11_UFLOAT_PACK32:
+      decodePacked(texels, values, 3, [](std::uint32_t w) { return glm::unpackF2x11_1x10(w); });
+      break;
     case VK_FORMAT_R16_UNORM:
     case VK_FORMAT_R16G16_UNORM:
     case VK_FORMAT_R16G16B16A16_UNORM:
@@ -78,7 +84,9 @@ std::vector<float> decodeTexels(VkFormat format, const std::byte* texels, std::s
       break;
     case VK_FORMAT_R16_SFLOAT:
     case VK_FORMAT_R16G16_SFLOAT:
-    case VK_FORMAT_R16G16B16A16_SFLOAT: decode<std::uint16_t>(texels, values, [](std::uint16_t v) { return glm::unpackHalf1x16(v); }); break;
+    case VK_FORMAT_R16G16B16A16_SFLOAT:
+      decode<std::uint16_t>(texels, values, [](std::uint16_t v) { return glm::unpackHalf1x16(v); });
+      break;
     default: std::memcpy(values.data(), texels, values.size() * sizeof(float)); break;  // 32-bit floats
   }
   return values;

@@ -13,8 +13,10 @@ constexpr std::uint32_t kShowsRgb = 4, kShowsNormal = 5;  // DebugImage::channel
 
 }  // namespace
 
-Result<void> ViewReadback::addPasses(Session& session, render::Graph& graph, const render::FrameOutput& output, const std::vector<ViewRequest>& wanted) {
-  TY_ASSERT(output.views.size() == wanted.size(), "the frame offers " + std::to_string(output.views.size()) + " views, " + std::to_string(wanted.size()) + " are read");
+Result<void> ViewReadback::addPasses(Session& session, render::Graph& graph, const render::FrameOutput& output,
+                                     const std::vector<ViewRequest>& wanted) {
+  TY_ASSERT(output.views.size() == wanted.size(), "the frame offers " + std::to_string(output.views.size()) +
+                                                      " views, " + std::to_string(wanted.size()) + " are read");
   copies_.clear();
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const render::Effect::DebugImage& view = output.views[i];
@@ -23,7 +25,9 @@ Result<void> ViewReadback::addPasses(Session& session, render::Graph& graph, con
     if (!view.image) continue;
     const gpu::ImageDesc& desc = graph.desc(view.image);
     const TexelFormat format = texelFormat(desc.format);
-    if (!format.name) return failed("debug view '" + wanted[i].name + "': its image's format (VkFormat " + std::to_string(desc.format) + ") cannot be read");
+    if (!format.name)
+      return failed("debug view '" + wanted[i].name + "': its image's format (VkFormat " + std::to_string(desc.format) +
+                    ") cannot be read");
     ViewPicture& picture = copy.picture;
     picture.layers = desc.layers, picture.mips = desc.mips;
     picture.layer = std::min(wanted[i].layer.value_or(view.view.baseLayer), desc.layers - 1);
@@ -44,7 +48,8 @@ Result<void> ViewReadback::addPasses(Session& session, render::Graph& graph, con
     if (!copies_[i].buffer) continue;
     const ViewPicture& picture = copies_[i].picture;
     const render::BufferRef target = graph.import(copies_[i].buffer);
-    const VkImageAspectFlags aspect = copies_[i].format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+    const VkImageAspectFlags aspect =
+        copies_[i].format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
     VkBufferImageCopy region{};
     region.imageSubresource = {aspect, picture.mip, picture.layer, 1};
     region.imageExtent = {picture.width, picture.height, 1};
@@ -53,7 +58,8 @@ Result<void> ViewReadback::addPasses(Session& session, render::Graph& graph, con
         .use(target, render::Use::kTransferWrite)
         .keep()
         .run([image = output.views[i].image, target, region](render::PassContext& pass) {
-          vkCmdCopyImageToBuffer(pass.commands(), pass.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pass.buffer(target), 1, &region);
+          vkCmdCopyImageToBuffer(pass.commands(), pass.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                 pass.buffer(target), 1, &region);
         });
   }
   return {};
@@ -68,7 +74,8 @@ std::vector<ViewPicture> ViewReadback::pictures() const {
     picture.values = decodeTexels(copy.format, copy.buffer.mapped(), count);
     if (!copy.isNormal) continue;
     std::vector<float> normals(count * 3);
-    for (std::size_t i = 0; i < count; ++i) unitFromOct(picture.values[i * picture.channels], picture.values[i * picture.channels + 1], &normals[i * 3]);
+    for (std::size_t i = 0; i < count; ++i)
+      unitFromOct(picture.values[i * picture.channels], picture.values[i * picture.channels + 1], &normals[i * 3]);
     picture.values = std::move(normals);
     picture.channels = 3;
   }

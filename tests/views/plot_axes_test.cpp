@@ -28,7 +28,7 @@ TEST(LogAxis, TicksRiseWithinTheAxisAndPowersOfTenAreMajor) {
     }
     major += ticks[i].major;
   }
-  EXPECT_EQ(major, 4u);                      // 0.1, 1, 10, 100
+  EXPECT_EQ(major, 4u);  // 0.1, 1, 10, 100
   EXPECT_NEAR(ticks.front().value, 0.02, 1e-12);
   EXPECT_NEAR(ticks.back().value, 300, 1e-9);
   EXPECT_EQ(tickText(0.1), "0.1");

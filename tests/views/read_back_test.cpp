@@ -1,4 +1,5 @@
-// What is read of a view is what is in its image: against the outputs of the frame itself and against the picture shown of the view.
+// What is read of a view is what is in its image: against the outputs of the frame itself and against the picture shown
+// of the view.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +9,8 @@
 namespace tyndall::views {
 namespace {
 
-const std::vector<std::string> kSmall = {"volumetrics.technique=moments6", "volumetrics.columns=128", "volumetrics.slices=128", "shadows.resolution=256"};
+const std::vector<std::string> kSmall = {"volumetrics.technique=moments6", "volumetrics.columns=128",
+                                         "volumetrics.slices=128", "shadows.resolution=256"};
 
 TEST_F(Stage, ScatterAndDepthAreThoseOfTheFrame) {
   ASSERT_TRUE(open("hall", 0, kSmall));
@@ -37,7 +39,9 @@ TEST_F(Stage, EveryViewIsShownAsItsNumbersSay) {
     for (std::size_t i = 0; i < std::size_t{80} * 45; ++i)
       for (std::size_t c = 0; c < 3; ++c) {
         // Normals are shown without a code for brightness.
-        const int expected = info.name == "normal" ? static_cast<int>(std::lround((view.values[i * 3 + c] * 0.5f + 0.5f) * 255)) : shown[i * 4 + c];
+        const int expected = info.name == "normal"
+                                 ? static_cast<int>(std::lround((view.values[i * 3 + c] * 0.5f + 0.5f) * 255))
+                                 : shown[i * 4 + c];
         most = std::max(most, std::abs(expected - int{taken.picture.values[i * 3 + c]}));
       }
     EXPECT_LE(most, 1);
@@ -48,7 +52,8 @@ TEST_F(Stage, EveryViewIsShownAsItsNumbersSay) {
 TEST_F(Stage, OtherLayersAndImagesOfOtherSizesAreRead) {
   ASSERT_TRUE(open("hall", 0, kSmall));
   take(80, 45, {});
-  const Taken taken = take(80, 45, {{"moment_1"}, {"moment_1", 1}, {"moment_5"}, {"light_ray_end"}, {"shadow_map"}, {"no such view"}});
+  const Taken taken =
+      take(80, 45, {{"moment_1"}, {"moment_1", 1}, {"moment_5"}, {"light_ray_end"}, {"shadow_map"}, {"no such view"}});
   ASSERT_EQ(taken.views.size(), 6u);
   EXPECT_EQ(taken.views[0].width, 128u);
   EXPECT_EQ(taken.views[0].height, 128u);
@@ -69,7 +74,8 @@ TEST_F(Stage, RolesAreThereWhereTheyBelong) {
     SCOPED_TRACE(technique);
     set({std::string("volumetrics.technique=") + technique});
     take(80, 45, {});
-    for (const ViewRole role : {ViewRole::kRows, ViewRole::kRowDepths, ViewRole::kRowPlace, ViewRole::kLightRayStart, ViewRole::kLightRayEnd, ViewRole::kReference})
+    for (const ViewRole role : {ViewRole::kRows, ViewRole::kRowDepths, ViewRole::kRowPlace, ViewRole::kLightRayStart,
+                                ViewRole::kLightRayEnd, ViewRole::kReference})
       EXPECT_NE(viewOf(role), "") << static_cast<int>(role);
   }
   set({"volumetrics.technique=ray_march"});

@@ -30,7 +30,8 @@ void Stage::set(const std::vector<std::string>& settings) {
   }
 }
 
-Taken Stage::take(std::uint32_t width, std::uint32_t height, const std::vector<app::ViewRequest>& views, const std::string& shown) {
+Taken Stage::take(std::uint32_t width, std::uint32_t height, const std::vector<app::ViewRequest>& views,
+                  const std::string& shown) {
   app::FrameRequest request;
   request.width = width, request.height = height, request.camera = camera_, request.debugView = shown;
   for (const app::ViewRequest& view : views) request.views.push_back(view.name);

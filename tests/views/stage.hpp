@@ -25,7 +25,8 @@ class Stage : public ::testing::Test {
   bool open(const std::string& level, std::uint32_t camera, const std::vector<std::string>& settings);
   void set(const std::vector<std::string>& settings);
   /// Renders one frame; `shown` is the debug view in the place of the picture.
-  Taken take(std::uint32_t width, std::uint32_t height, const std::vector<app::ViewRequest>& views, const std::string& shown = "");
+  Taken take(std::uint32_t width, std::uint32_t height, const std::vector<app::ViewRequest>& views,
+             const std::string& shown = "");
   /// Name of the view with a role in the present layout; "" if there is none.
   std::string viewOf(render::ViewRole role) const;
 

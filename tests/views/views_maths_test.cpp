@@ -3,8 +3,8 @@
 #include <limits>
 #include <random>
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "views_colour.hpp"
 #include "views_project.hpp"
@@ -25,7 +25,8 @@ TEST(Transform, ZoomKeepsTheTexelUnderTheCursor) {
     const glm::vec2 after = transform.pointOf(before);
     ASSERT_NEAR(after.x, cursor.x, 0.02f) << i;
     ASSERT_NEAR(after.y, cursor.y, 0.02f) << i;
-    if (glm::length(transform.pointOf({512, 256})) > 4000) transform.fit({1024, 512}, {800, 600});  // float's grain far away is no matter
+    if (glm::length(transform.pointOf({512, 256})) > 4000)
+      transform.fit({1024, 512}, {800, 600});  // float's grain far away is no matter
   }
 }
 
@@ -74,7 +75,10 @@ TEST(Percentiles, OfAConstantAreARangeAboutIt) {
 double brightness(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
 TEST(Colours, FalseColoursGrowBrighterAllTheWay) {
-  for (int i = 0; i < 100; ++i) EXPECT_LE(brightness(falseColour(static_cast<float>(i) / 100)), brightness(falseColour(static_cast<float>(i + 1) / 100)) + 0.5) << i;
+  for (int i = 0; i < 100; ++i)
+    EXPECT_LE(brightness(falseColour(static_cast<float>(i) / 100)),
+              brightness(falseColour(static_cast<float>(i + 1) / 100)) + 0.5)
+        << i;
   EXPECT_EQ(falseColour(-1), falseColour(0));
   EXPECT_EQ(falseColour(2), falseColour(1));
 }
