@@ -31,6 +31,7 @@ namespace f32 {
 #include "lib/average.glsl"
 #include "lib/wavelet.glsl"
 #include "lib/local_light.glsl"
+#include "lib/cube_map.glsl"
 }  // namespace f32
 namespace f64 {
 #include "lib/medium.glsl"
@@ -41,6 +42,7 @@ namespace f64 {
 #include "lib/average.glsl"
 #include "lib/wavelet.glsl"
 #include "lib/local_light.glsl"
+#include "lib/cube_map.glsl"
 }  // namespace f64
 namespace f80 {
 #include "lib/medium.glsl"
@@ -51,6 +53,7 @@ namespace f80 {
 #include "lib/average.glsl"
 #include "lib/wavelet.glsl"
 #include "lib/local_light.glsl"
+#include "lib/cube_map.glsl"
 }  // namespace f80
 }  // namespace tyndall::lib
 

@@ -59,6 +59,28 @@ LIB Real referenceCoordinate(Real cosecant_, Real kappa) { return log(R(1.0) + k
 // Its inverse.
 LIB Real referenceCosecant(Real coordinate, Real kappa) { return (exp(coordinate) - R(1.0)) / kappa; }
 
+// Columns of a row that grow evenly away from the eye: the share of the row's length that its first share `at` of columns spans, and its
+// inverse. `nearest`, in (0, 1], is the width of the first columns in even ones (the last are 2 - nearest of them); 1: all are even. Being
+// quadratic, the columns' transmittances follow by products alone.
+LIB Real columnsReach(Real nearest, Real at) { return at * (nearest + (R(1.0) - nearest) * at); }
+LIB Real columnsWithin(Real nearest, Real reach) {
+  return R(2.0) * reach / (nearest + sqrt(nearest * nearest + R(4.0) * (R(1.0) - nearest) * reach));
+}
+
+// The least width of a row's first columns.
+const Real kLeastNearest = R(0.1);
+
+// Width of the first columns, in even ones, at which columns pass equal parts of the transmittance of a row of optical depth x.
+LIB Real nearestForTransmittance(Real x) { return x < R(1e-3) ? R(1.0) - R(0.5) * x : max(oneMinusExp(x) / x, kLeastNearest); }
+
+// sinh(x/2) / (x/2): what a column of optical depth x weighs against the transmittance in its middle times its width. Terms up to x^6:
+// within 1e-4 up to x = 3; a column of far more leaves nothing to the next, so that what it weighs no longer matters.
+LIB Real columnFullness(Real x) {
+  Real most = min(x, R(16.0));
+  Real y = most * most;
+  return R(1.0) + y * (R(1.0 / 24.0) + y * (R(1.0 / 1920.0) + y * R(1.0 / 322560.0)));
+}
+
 // Share that column u adds to the running normalised average of columns 0..u, for weights exp(-u x) (1 - exp(-x)):
 // w_u / sum_{j<=u} w_j, with x = sigma_t * column width / sin(theta) >= 0. For x = 0: 1/(u+1).
 LIB Real runningWeight(Real u, Real x) {

@@ -34,6 +34,30 @@ Case random(std::mt19937& source) {
   return c;
 }
 
+// The inverse of the tables in Vulkan's "Cube Map Face Selection": from face and place back to the direction.
+TEST(CubeMap, FaceAndPlaceGiveTheDirectionBack) {
+  const auto direction = [](unsigned face, double s, double t) {
+    switch (face) {
+      case 0: return glm::dvec3(1, -t, -s);
+      case 1: return glm::dvec3(-1, -t, s);
+      case 2: return glm::dvec3(s, 1, t);
+      case 3: return glm::dvec3(s, -1, -t);
+      case 4: return glm::dvec3(s, -t, 1);
+      default: return glm::dvec3(-s, -t, -1);
+    }
+  };
+  for (unsigned face = 0; face < 6; ++face)
+    for (const double s : {-0.9, -0.3, 0.0, 0.7})
+      for (const double t : {-0.8, 0.1, 0.95}) {
+        const glm::dvec3 d = 2.5 * direction(face, s, t);
+        ASSERT_EQ(f64::cubeFace(d), face);
+        const f64::Real4 place = f64::cubePlace(face, d);
+        EXPECT_NEAR(place.w, 2.5, 1e-12);
+        EXPECT_NEAR(place.x / place.w, s, 1e-12) << face;
+        EXPECT_NEAR(-place.y / place.w, t, 1e-12) << face;
+      }
+}
+
 }  // namespace
 
 TEST(LocalLightMaths, ReachedPartIsWhatTheConeAndRangeHold) {

@@ -17,6 +17,8 @@
         "depth is raised to 1/(1 + warp).")                                                                              \
   INT(columns, "volumetrics.columns", "Columns", 1024, 64, 4096, 64, 4096, "texels", TY_PARAMETER_STRUCTURAL,            \
       "Samples along a slice of the rectified map; of further lights at most so many, by their share of the screen.")                                                                     \
+  ENUM(column_spacing, "volumetrics.column_spacing", "Column spacing", 1, 0, "distance|transmittance", 0,                \
+       "Columns of an epipolar map of a sun: even across the light, or narrower near the eye, where a column scatters more of the light.") \
   INT(slices, "volumetrics.slices", "Slices", 1024, 64, 4096, 64, 4096, "texels", TY_PARAMETER_STRUCTURAL,               \
       "Epipolar slices of the rectified map; of further lights at most so many, by their share of the screen.")                                                                           \
   ENUM(slice_spacing, "volumetrics.slice_spacing", "Slice spacing", 0, 0, "azimuth|border", TY_PARAMETER_STRUCTURAL,     \

@@ -1,15 +1,5 @@
-// The image that a light shines through (CookieBlock), filtered over a footprint. Needs stages/blocks.h and the binding `cookieImage`: linear light,
+// The image that a light shines through (CookieBlock), filtered over a footprint. Needs lib/cube_map.glsl, stages/blocks.h and the binding `cookieImage`: linear light,
 // all mips, repeating.
-
-// Vulkan 1.3, "Cube Map Face Selection": (s, -t, 0, major axis), linear in the vector while the face stays.
-vec4 cookieCube(uint face, vec3 d) {
-  if (face == 0u) return vec4(-d.z, d.y, 0.0, d.x);
-  if (face == 1u) return vec4(d.z, d.y, 0.0, -d.x);
-  if (face == 2u) return vec4(d.x, -d.z, 0.0, d.y);
-  if (face == 3u) return vec4(d.x, d.z, 0.0, -d.y);
-  if (face == 4u) return vec4(d.x, d.y, 0.0, d.z);
-  return vec4(-d.x, d.y, 0.0, -d.z);
-}
 
 // Colour at a point relative to the eye, averaged over a footprint of the sides `along` and `across`, m.
 vec3 cookieColour(CookieBlock block, vec3 point, vec3 along, vec3 across) {
@@ -18,11 +8,10 @@ vec3 cookieColour(CookieBlock block, vec3 point, vec3 along, vec3 across) {
   vec4 dy = block.fromEye * vec4(across, 0.0);
   uint face = 0u;
   if (block.faces == 6u) {
-    vec3 m = abs(p.xyz);
-    face = m.x >= m.y && m.x >= m.z ? (p.x < 0.0 ? 1u : 0u) : m.y >= m.z ? (p.y < 0.0 ? 3u : 2u) : (p.z < 0.0 ? 5u : 4u);
-    p = cookieCube(face, p.xyz);
-    dx = cookieCube(face, dx.xyz);
-    dy = cookieCube(face, dy.xyz);
+    face = cubeFace(p.xyz);
+    p = cubePlace(face, p.xyz);
+    dx = cubePlace(face, dx.xyz);
+    dy = cubePlace(face, dy.xyz);
   }
   if (!(p.w > 0.0)) return vec3(0.0);  // behind a spot light
   vec2 place = clamp(p.xy / p.w, -1e6, 1e6);

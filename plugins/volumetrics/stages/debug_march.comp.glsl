@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/portable.h"
+#include "lib/cube_map.glsl"
 #include "lib/medium.glsl"
 #include "stages/blocks.h"
 #include "stages/rays.glsl"

@@ -1,5 +1,5 @@
 // One march through the light of a spot or point light and its shadow map: what ray_march is made of, and what other techniques
-// call for the few rays near the light that rows cannot answer. Needs lib/medium.glsl, lib/local_light.glsl and stages/blocks.h before it, and
+// call for the few rays near the light that rows cannot answer. Needs lib/medium.glsl, lib/local_light.glsl, lib/cube_map.glsl and stages/blocks.h before it, and
 // stages/march_cookie.glsl.
 // What is summed along a view ray is V p a I exp(-sigma_t (t + d)) / d^2 dt, d the distance from the light, a range and cone, I the
 // colour: times sigma_s it is the radiance. Points are relative to the eye. Samples are spent only where the light's range and cone reach the ray.
@@ -15,13 +15,7 @@ vec3 lightColour(LocalBlock light, vec3 direction, float t, float length_) {
 }
 
 // Face of the map that a direction from the light falls on.
-uint localFace(LocalBlock light, vec3 fromLight) {
-  vec3 m = abs(fromLight);
-  uint side = m.x >= m.y && m.x >= m.z ? (fromLight.x < 0.0 ? 1u : 0u)
-              : m.y >= m.z             ? (fromLight.y < 0.0 ? 3u : 2u)
-                                       : (fromLight.z < 0.0 ? 5u : 4u);
-  return light.kind == kLocalSpot ? 0u : side;
-}
+uint localFace(LocalBlock light, vec3 fromLight) { return light.kind == kLocalSpot ? 0u : cubeFace(fromLight); }
 
 // Whether the map holds something nearer. Behind a spot light and beside its map everything is lit; faces of a point light leave nothing
 // out, so that a point beside one is rounding.
@@ -35,20 +29,6 @@ bool localBlockedFrom(LocalBlock light, sampler2DArray shadowMap, vec3 fromLight
   ivec2 texel = clamp(ivec2((p * 0.5 + 0.5) * light.shadowSize), ivec2(0), ivec2(light.shadowSize) - 1);
   float stored = texelFetch(shadowMap, ivec3(texel, face), 0).x;
   return light.depthScale - light.depthOffset / along > stored && stored < 1.0;
-}
-
-// Shadow test of one point.
-bool localBlocked(LocalBlock light, sampler2DArray shadowMap, vec3 pointMinusEye) {
-  return localBlockedFrom(light, shadowMap, pointMinusEye - light.position);
-}
-
-// The unshadowed integrand at one point of a view ray: direction unit, t its distance from the eye.
-vec3 localScatter(LocalBlock light, vec3 direction, float t, float sigma_t, float g) {
-  vec3 w = t * direction - light.position;
-  float d2 = max(dot(w, w), kClosestPass * kClosestPass);
-  float d = sqrt(d2);
-  float rest = localAttenuation(d2, light.range, dot(w, light.axis) / d, light.coneScale, light.coneOffset) / d2;
-  return lightColour(light, direction, t, 0.0) * (rest * phaseHenyeyGreenstein(-dot(w, direction) / d, g) * exp(-sigma_t * (t + d)));
 }
 
 // A view ray as the light sees it (lib/local_light.glsl): s = t - closest.

@@ -56,10 +56,11 @@ vec2 texelRange(vec3 depths) {
 // Integral of exp(-tau t) over [0, width], as a share of width: 1 for tau = 0, the papers' equal weights.
 float meanFalloff(float x) { return x < 1e-4 ? 1.0 - 0.5 * x : oneMinusExp(x) / x; }
 
-// A column for a reference ray: `power` is the transmittance from the segment's start to the column, its weight power * base, and
-// power * decay that of the next column.
+// A column for a reference ray. In a projective map `power` is the transmittance from the segment's start to the column, its weight power *
+// base, and power * decay that of the next column. Else `power` is the transmittance from there to the column's middle, power * decay to
+// the next one's, and decay * growth the factor after it: columns grow evenly.
 struct Walk {
-  float power, base, decay;
+  float power, base, decay, growth;
 };
 
 // A column of the given width at optical depth `tau` per metre of distance from the axis.
@@ -69,9 +70,27 @@ void setWidth(inout Walk walk, float tau, float width) {
   walk.decay = exp(-x);
 }
 
+// So many columns are walked by products before rounding is taken out again.
+const uint kProducts = 16u;
+
+// Puts a walk on a column of a map that is not projective, `more` wider than the one before it; `start`: where the segment starts.
+void placeWalk(inout Walk walk, float tau, Slice s, float column, float start, float more) {
+  walk.power = exp(-tau * (columnDistance(s, column + 0.5) - start));
+  walk.decay = exp(-tau * (columnWidth(s, column) + 0.5 * more));
+  walk.growth = exp(-tau * more);
+}
+
 float nextWeight(inout Walk walk) {
   float weight = walk.power * walk.base;
   walk.power *= walk.decay;
+  return weight;
+}
+
+// The same where columns grow evenly.
+float nextEvenWeight(inout Walk walk, float tau, float width) {
+  float weight = walk.power * (width * columnFullness(tau * width));
+  walk.power *= walk.decay;
+  walk.decay *= walk.growth;
   return weight;
 }
 
@@ -102,6 +121,18 @@ float shareOf(inout float total, float weight) {
     value[j] += move;                                     \
   }
 
+// Sets walks and width to the present column.
+#define NEXT_COLUMN                                                                                          \
+  if (byTangent()) {                                                                                         \
+    float next = columnDistance(s, float(column + 1u));                                                      \
+    for (int k = 0; k < kReferenceRays; ++k) setWidth(walk[k], tau[k], next - last);                         \
+    last = next;                                                                                             \
+  } else {                                                                                                   \
+    width = columnWidth(s, float(column));                                                                   \
+    if (column == from || column % kProducts == 0u)                                                          \
+      for (int k = 0; k < kReferenceRays; ++k) placeWalk(walk[k], tau[k], s, float(column), start, more);     \
+  }
+
 void main() {
   uint slice = gl_GlobalInvocationID.x;
   bool inside = slice < light.map.slices;
@@ -111,7 +142,8 @@ void main() {
   if (gl_WorkGroupID.y >= light.map.segmentCount) return;
   uint begin = segmentBorder(s, gl_WorkGroupID.y);
   uint end = segmentBorder(s, gl_WorkGroupID.y + 1u);
-  float width = (s.last - s.first) / float(light.map.columns);  // of every column, unless the map is projective
+  // Unless the map is projective: width of a column, and how much wider than the one before it it is.
+  float more = 2.0 * (s.last - s.first) * (1.0 - s.nearest) / (float(light.map.columns) * float(light.map.columns));
 
   uint lane = gl_LocalInvocationID.y;
   uint lanes = gl_WorkGroupSize.y;
@@ -127,10 +159,11 @@ void main() {
   Walk walk[kReferenceRays];
   float start = columnDistance(s, float(begin));
   float own = columnDistance(s, float(from));
+  float width = 0.0;
   for (int k = 0; k < kReferenceRays; ++k) {
     tau[k] = referenceKey(s, k, kReferenceRays);
     walk[k].power = exp(-tau[k] * (own - start));
-    setWidth(walk[k], tau[k], width);
+    walk[k].base = walk[k].decay = walk[k].growth = 0.0;
   }
   float total[kReferenceRays];
   vec4 value[kValues];
@@ -151,15 +184,11 @@ void main() {
       range = vec2(min(range.x, reach.x), max(range.y, reach.y));
       vec4 basis[kVectors];
       texelBasis(at, depths, group, basis);
-      if (byTangent()) {
-        float next = columnDistance(s, float(column + 1u));
-        for (int k = 0; k < kReferenceRays; ++k) setWidth(walk[k], tau[k], next - last);
-        last = next;
-      }
+      NEXT_COLUMN
       float shaped[kReferenceRays];
       if (kShaped) shapedWeights(at, shaped);
       for (int k = 0; k < kReferenceRays; ++k) {
-        float share = shareOf(total[k], kShaped ? shaped[k] : nextWeight(walk[k]));
+        float share = shareOf(total[k], kShaped ? shaped[k] : byTangent() ? nextWeight(walk[k]) : nextEvenWeight(walk[k], tau[k], width));
         for (int i = 0; i < kVectors; ++i) TAKE(k * kVectors + i, basis[i], share)
       }
     }
@@ -194,16 +223,12 @@ void main() {
     range = vec2(min(range.x, reach.x), max(range.y, reach.y));
     vec4 basis[kVectors];
     texelBasis(at, depths, group, basis);
-    if (byTangent()) {
-      float next = columnDistance(s, float(column + 1u));
-      for (int k = 0; k < kReferenceRays; ++k) setWidth(walk[k], tau[k], next - last);
-      last = next;
-    }
+    NEXT_COLUMN
     bool mine = kScan || column % lanes == lane;
     float shaped[kReferenceRays];
     if (kShaped) shapedWeights(at, shaped);
     for (int k = 0; k < kReferenceRays; ++k) {
-      float share = shareOf(total[k], kShaped ? shaped[k] : nextWeight(walk[k]));
+      float share = shareOf(total[k], kShaped ? shaped[k] : byTangent() ? nextWeight(walk[k]) : nextEvenWeight(walk[k], tau[k], width));
       vec4 average[kVectors];
       for (int i = 0; i < kVectors; ++i) {
         TAKE(k * kVectors + i, basis[i], share)

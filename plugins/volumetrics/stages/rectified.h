@@ -11,6 +11,7 @@ struct Slice {
                          // light, rad; first = last: nothing can be blocked, or no light gets there
   float perX;            // distance from the axis per metre along e1: the inverse cosine of the azimuth from e1
   float nodeLow, nodeHigh;  // range of the reference coordinate (stages/reference_rays.glsl) for the Chebyshev nodes
+  float nearest;         // width of the first columns in even ones (lib/epipolar.glsl: columnsReach)
   float lookBack;        // columns before a ray's end that may show the very surface that ends it, whole number >= 1
   vec2 direction;        // unit, along (e1, e2)
   vec3 shadowStep;       // change of shadow texel and depth per metre of distance from the axis
@@ -21,6 +22,7 @@ struct RectifiedParams {
   int weights;           // 0 average, 1 transmittance
   int near_correction;
   int epipole_block;     // pixels
+  int column_spacing;    // 0 distance, 1 transmittance: suns in the epipolar rectification
 };
 
 struct RectifiedBlock {

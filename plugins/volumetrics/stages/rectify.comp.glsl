@@ -66,7 +66,7 @@ void main() {
   if (s.last > s.first && inside) {
     if (kFiltered) {
       // Footprint in shadow texels of one column and of one slice.
-      vec2 along = s.shadowStep.xy * (s.last - s.first) / float(light.map.columns);
+      vec2 along = s.shadowStep.xy * (columnDistance(s, float(at.y) + 1.0) - columnDistance(s, float(at.y)));
       vec2 turn = c * (sliceDirection(float(at.x) + 1.0) - sliceDirection(float(at.x)));
       vec3 world = turn.x * light.map.e1 + turn.y * light.map.e2;
       vec2 across = light.sun.shadowX.xy * world.x + light.sun.shadowY.xy * world.y + light.sun.shadowZ.xy * world.z;

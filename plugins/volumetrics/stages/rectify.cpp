@@ -182,6 +182,10 @@ std::vector<LightClass> lightClasses(const LayoutContext& context) {
   return classes;
 }
 
+std::uint32_t rowsOf(const Settings& settings, const LightClass& lights) {
+  return static_cast<std::uint32_t>(settings.columns) * (isProjective(settings, lights) ? static_cast<std::uint32_t>(settings.splits) : 1);
+}
+
 void beginClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights) {
   const Settings& settings = context.settings;
   builder.lights(lights.local ? kLocalLights : kSuns, lights.coloured);
@@ -207,7 +211,7 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, co
   RectifyStage stage;
   stage.lights = lights;
   stage.slices = static_cast<std::uint32_t>(settings.slices);
-  stage.rows = columns * (projective ? static_cast<std::uint32_t>(settings.splits) : 1);
+  stage.rows = rowsOf(settings, lights);
   stage.filtered = filterable && settings.filtered_resampling != 0 && context.shadowMoments != TY_FORMAT_UNKNOWN;
   builder.roles().momentsMissing |= filterable && settings.filtered_resampling != 0 && !stage.filtered;
   const TyFormat single = bits == DepthBits::k16 ? TY_FORMAT_R16_UNORM : TY_FORMAT_R32_FLOAT;
@@ -274,6 +278,7 @@ void prepareRectify(const FrameContext& context, bool parted) {
   frame.rectified.weights = settings.weights;
   frame.rectified.near_correction = settings.near_correction;
   frame.rectified.epipole_block = settings.epipole_block;
+  frame.rectified.column_spacing = settings.column_spacing;
   bool anyLocal = false;
   for (std::uint32_t i = 0; i < context.frame.light_count; ++i) {
     const TyLight& light = context.frame.lights[i];

@@ -25,6 +25,8 @@ struct LightClass {
 };
 /// The classes of a layout's lights. For each, begin with beginClass() and add all passes; images are shared.
 std::vector<LightClass> lightClasses(const LayoutContext& context);
+/// Columns of all splits that rows of a class have.
+std::uint32_t rowsOf(const Settings& settings, const LightClass& lights);
 /// Directs passes for kEachLight to the class, and sets the constants of stages/rows.glsl.
 void beginClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights);
 
@@ -67,7 +69,7 @@ void prepareRectify(const FrameContext& context, bool parted = true);
 #define TY_RECTIFY_READS                                                                                                   \
   "volumetrics.enabled", "volumetrics.technique", "volumetrics.placement", "volumetrics.rectification",                    \
       "volumetrics.splits", "volumetrics.depth_warp", "volumetrics.columns", "volumetrics.slices",                         \
-      "volumetrics.slice_spacing", "volumetrics.row_filter", "volumetrics.epipole_block", "volumetrics.near_correction",   \
+      "volumetrics.slice_spacing", "volumetrics.column_spacing", "volumetrics.row_filter", "volumetrics.epipole_block", "volumetrics.near_correction",   \
       "medium.sigma_t", "medium.albedo", "medium.g"
 
 }  // namespace volumetrics

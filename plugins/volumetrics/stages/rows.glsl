@@ -51,16 +51,22 @@ uint totalColumns() { return light.map.columns * light.map.splits; }
 // Distance from the axis, m, or angle at the light, rad, at a column coordinate in [0, totalColumns()].
 float columnDistance(Slice s, float column) {
   float at = column / float(light.map.columns);
-  if (!byTangent()) return mix(s.first, s.last, at);
+  if (!byTangent()) return mix(s.first, s.last, columnsReach(s.nearest, at));
   uint i = min(uint(at), light.map.splits - 1u);
   return s.perX / mix(light.map.inverse[i], light.map.inverse[i + 1u], at - float(i));
+}
+
+// Width of a column of a map that is not projective, m or rad.
+float columnWidth(Slice s, float column) {
+  float even = 1.0 / float(light.map.columns);
+  return (s.last - s.first) * even * (s.nearest + (1.0 - s.nearest) * (2.0 * column + 1.0) * even);
 }
 
 // The column coordinate at distance (or angle) c from the axis, clamped to the map.
 float columnAt(Slice s, float c) {
   float columns = float(light.map.columns);
   if (!byTangent())
-    return s.last > s.first ? clamp((c - s.first) / (s.last - s.first), 0.0, 1.0) * columns : 0.0;
+    return s.last > s.first ? columnsWithin(s.nearest, clamp((c - s.first) / (s.last - s.first), 0.0, 1.0)) * columns : 0.0;
   if (s.last <= s.first) return 0.0;
   float inverse = s.perX / max(c, 1e-12);
   uint i = 0u;

@@ -25,6 +25,7 @@ layout(binding = 2, scalar) buffer Slices { Slice slices[]; };
 
 const int kBisectrix = 0, kMean = 2;
 const float kMostLookBack = 8.0;
+const int kByTransmittance = 1;
 
 // Inclinations of the frustum in the half-plane of a direction along (e1, e2).
 vec2 thetaRange(vec2 direction) {
@@ -119,10 +120,16 @@ void main() {
     record.nodeHigh = nodes.y;
   }
 
+  record.nearest = 1.0;
+  if (!kLocal && !byTangent() && frame.rectified.column_spacing == kByTransmittance) {
+    float middle = referenceCosecant(0.5 * (record.nodeLow + record.nodeHigh), referenceKappa());
+    record.nearest = nearestForTransmittance(frame.rays.sigma_t * middle * (span.y - span.x));
+  }
+
   vec3 world = record.direction.x * light.map.e1 + record.direction.y * light.map.e2;
   record.shadowStep = light.sun.shadowX * world.x + light.sun.shadowY * world.y + light.sun.shadowZ * world.z;
   // A resampled blocker may stand as far off as one shadow texel; a rasterised one as far as half a column, to either side.
-  float texelsAColumn = (kLocal ? 1.0 / light.local.texelAngle : length(record.shadowStep.xy)) * (span.y - span.x) / float(light.map.columns);
+  float texelsAColumn = (kLocal ? 1.0 / light.local.texelAngle : length(record.shadowStep.xy)) * (span.y - span.x) * record.nearest / float(light.map.columns);
   record.lookBack = byTangent() ? 2.0 : 1.0 + clamp(ceil(1.0 / max(texelsAColumn, 1e-6)), 1.0, kMostLookBack - 1.0);
   slices[i] = record;
 }

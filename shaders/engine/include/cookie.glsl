@@ -6,7 +6,7 @@
 #define TYNDALL_COOKIE_GLSL
 #include "shared/light.h"
 
-// cubeFace() comes from engine/include/shadow.glsl.
+// cubeFace() and cubePlace() come with engine/include/shadow.glsl.
 
 // A plane seen edge-on would have an infinite footprint; below this sine of the angle to it, it counts as tilted so.
 const float kLeastTilt = 0.05;
@@ -21,16 +21,6 @@ mat2x3 pixelFootprint(vec3 position, vec3 normal) {
   along = along < 0.0 ? min(along, -least) : max(along, least);
   vec3 right = view.worldFromView[0].xyz * pixel.x, up = view.worldFromView[1].xyz * pixel.y;
   return mat2x3(right - ray * (dot(normal, right) / along), up - ray * (dot(normal, up) / along));
-}
-
-// Vulkan 1.3, "Cube Map Face Selection": (s, -t, 0, major axis), linear in the vector while the face stays.
-vec4 cubePlace(uint face, vec3 d) {
-  if (face == 0u) return vec4(-d.z, d.y, 0.0, d.x);
-  if (face == 1u) return vec4(d.z, d.y, 0.0, -d.x);
-  if (face == 2u) return vec4(d.x, -d.z, 0.0, d.y);
-  if (face == 3u) return vec4(d.x, d.z, 0.0, -d.y);
-  if (face == 4u) return vec4(d.x, d.y, 0.0, d.z);
-  return vec4(-d.x, d.y, 0.0, -d.z);
 }
 
 vec3 cookieColor(CookieBlock c, vec3 position, mat2x3 footprint) {

@@ -4,16 +4,10 @@
 #ifndef TYNDALL_SHADOW_GLSL
 #define TYNDALL_SHADOW_GLSL
 #include "shared/light.h"
+#include "lib/portable.h"
+#include "lib/cube_map.glsl"
 
 // The includer declares `LightBlock shadowedLights[kShadowSlots]`.
-
-// Face of a cube by the major axis, in the order +X -X +Y -Y +Z -Z.
-uint cubeFace(vec3 d) {
-  vec3 a = abs(d);
-  if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0 ? 0u : 1u;
-  if (a.y >= a.z) return d.y >= 0.0 ? 2u : 3u;
-  return d.z >= 0.0 ? 4u : 5u;
-}
 
 // A 3x3 filter with bilinear weights reaches depths up to 2 texels away from the receiver's place: on a plane whose
 // normal

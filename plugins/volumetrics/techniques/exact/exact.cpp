@@ -160,18 +160,13 @@ void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightC
                      {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2),
                       bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4), result, sampledAt(6, images.bounds),
                       sampledAt(7, stage.rectified), sampledAt(8, stage.projective), sampledAt(9, images.levels),
-                      sampledAt(10, images.ranks), unshadowedAt21(stage), litAt22(stage),
-                        lightCookieAt(23, lights.coloured)},
+                      sampledAt(10, images.ranks), unshadowedAt21(stage), litAt22(stage), lightCookieAt(23, lights.coloured)},
                      groups8(context.structure.width), groups8(context.structure.height), 1, kEachLight, constantsOf(matrix, settings, scanned)};
     for (const auto& [id, value] : {std::pair{5u, static_cast<std::uint32_t>(settings.row_filter)}, {6u, first ? 1u : 0u}, {7u, steps ? 1u : 0u}})
       pass.specializations.push_back({id, value});
     builder.compute(std::move(pass));
   };
   evaluate("evaluate", resultAt5(lights, add), !add, false);
-  builder.tunable(prefixSchemeIndex(), static_cast<double>(PrefixScheme::kAuto),
-                  {static_cast<double>(PrefixScheme::kRow), static_cast<double>(PrefixScheme::kBlock),
-                   static_cast<double>(PrefixScheme::kScan)},
-                  {"build"});
 
   const std::uint32_t steps = builder.image("steps", TY_FORMAT_RGBA32_FLOAT, context.structure.width, context.structure.height);
   evaluate("debug steps", storageAt(5, steps), true, true);
@@ -194,7 +189,22 @@ void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightC
   addRowViews(context, builder, stage);
 }
 
-void layout(const LayoutContext& context, LayoutBuilder& builder) { addRowLayout(context, builder, addClass); }
+/// The schemes that this device has for the rows of every class of lights.
+void addTunable(const LayoutContext& context, LayoutBuilder& builder) {
+  const bool full = static_cast<Precision>(context.settings.precision) == Precision::kFull;
+  const std::vector<LightClass> classes = lightClasses(context);
+  std::vector<double> schemes{static_cast<double>(PrefixScheme::kRow), static_cast<double>(PrefixScheme::kBlock)};
+  if (std::all_of(classes.begin(), classes.end(), [&](const LightClass& lights) {
+        return scanOf(context.device, matrixOf(context.settings, rowsOf(context.settings, lights), lights), !full).lanes > 0;
+      }))
+    schemes.push_back(static_cast<double>(PrefixScheme::kScan));
+  if (!classes.empty()) builder.tunable(prefixSchemeIndex(), static_cast<double>(PrefixScheme::kAuto), schemes, {"build"});
+}
+
+void layout(const LayoutContext& context, LayoutBuilder& builder) {
+  addRowLayout(context, builder, addClass);
+  addTunable(context, builder);
+}
 
 void prepare(const FrameContext& context) { prepareRectify(context, false); }
 

@@ -106,8 +106,9 @@ void main() {
   }
 
   Slice s = slices[slice];
-  float falloff[kReferenceRays];
-  setFalloff(s, falloff);
+  Falloff falloff[kReferenceRays];
+  float growth;
+  setFalloff(s, falloff, growth);
   int from = 0;
   for (int level = kFirst; level < kLast; ++level) {
     int to = kMine - from;
@@ -133,7 +134,7 @@ void main() {
       vec4 texel[kVectors];
       texel[0].x = float(zeros) / kCountScale;
       float weight[kChannelSlots];
-      columnWeight(slice, s, falloff, column, weight);
+      columnWeight(slice, s, falloff, growth, column, weight);
       for (int k = 0; k < kChannels; ++k) {
         ofAll[k] += weight[k];
         ofZeros[k] += one ? 0.0 : weight[k];

@@ -157,8 +157,9 @@ void main() {
   if (kBounds) storeBounds(slice, first, depth);
   sortRow(slice, first, bin);
 
-  float falloff[kReferenceRays];
-  setFalloff(s, falloff);
+  Falloff falloff[kReferenceRays];
+  float growth;
+  setFalloff(s, falloff, growth);
   uint own[kOwn];
   for (int level = 0; level < kLevels; ++level) {
     int size = kElements >> level;
@@ -168,7 +169,7 @@ void main() {
     for (int i = 0; i < kOwn; ++i) {
       own[i] = element[padded(first + i)];
       float four[kChannelSlots];
-      columnWeight(slice, s, falloff, int(own[i] & 0xffffu), four);
+      columnWeight(slice, s, falloff, growth, int(own[i] & 0xffffu), four);
       for (int k = 0; k < kChannels; ++k) weight[i * kChannels + k] = four[k];
     }
     int start = first;

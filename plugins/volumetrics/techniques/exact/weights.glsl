@@ -1,18 +1,31 @@
 // Relative weights of columns for the reference rays: a factor that all columns of a row share is left out, since only shares are stored.
 // Needs stages/rows.glsl, stages/reference_rays.glsl, stages/channels.glsl and the binding `columnWeights`.
 
-// Per reference ray: the falloff of the weight a column, in powers of two, or, where columns are not even, the optical depth a metre of
-// distance from the axis.
-void setFalloff(Slice s, out float falloff[kReferenceRays]) {
-  float width = (s.last - s.first) / float(light.map.columns);
+const float kLog2e = 1.4426950408889634;
+
+// The weight of column u is exp2(-u (linear + square u)) times its width and fullness (lib/epipolar.glsl), or, where columns follow a projective
+// map, found from the optical depth a metre alone.
+struct Falloff {
+  float linear, square;
+  float depth;  // optical depth of the first column, or a metre's
+};
+
+void setFalloff(Slice s, out Falloff falloff[kReferenceRays], out float growth) {
+  float count = float(light.map.columns);
+  float width = (s.last - s.first) / count;
+  float first = width * columnsReach(s.nearest, 1.0 / count) * count;
+  float more = 2.0 * width * (1.0 - s.nearest) / count;  // each column than the one before it
+  growth = first > 0.0 ? more / first : 0.0;
   for (int k = 0; k < kReferenceRays; ++k) {
     float tau = kShaped ? 0.0 : referenceKey(s, k, kReferenceRays);
-    falloff[k] = byTangent() ? tau : tau * width * 1.4426950408889634;  // log2(e)
+    falloff[k].linear = tau * first * kLog2e;
+    falloff[k].square = tau * 0.5 * more * kLog2e;
+    falloff[k].depth = byTangent() ? tau : tau * first;
   }
 }
 
 // Weights of a column in all channels. Where light rays differ they were computed before (stages/shine.comp.glsl).
-void columnWeight(int slice, Slice s, float falloff[kReferenceRays], int column, out float weight[kChannelSlots]) {
+void columnWeight(int slice, Slice s, Falloff falloff[kReferenceRays], float growth, int column, out float weight[kChannelSlots]) {
   for (int i = kChannels; i < kChannelSlots; ++i) weight[i] = 0.0;
   if (kShaped) {
     int last = int(totalColumns()) - 1;
@@ -22,7 +35,9 @@ void columnWeight(int slice, Slice s, float falloff[kReferenceRays], int column,
     }
     return;
   }
+  float u = float(column);
+  float width = 1.0 + growth * u;
   for (int k = 0; k < kReferenceRays; ++k)
-    weight[k] = byTangent() ? transmittanceIntegral(falloff[k], columnDistance(s, float(column)), columnDistance(s, float(column + 1)))
-                            : exp2(-falloff[k] * float(column));
+    weight[k] = byTangent() ? transmittanceIntegral(falloff[k].depth, columnDistance(s, u), columnDistance(s, u + 1.0))
+                            : exp2(-u * (falloff[k].linear + falloff[k].square * u)) * width * columnFullness(falloff[k].depth * width);
 }
