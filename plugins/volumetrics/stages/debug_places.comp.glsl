@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/portable.h"
+#include "lib/cube_map.glsl"
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
 #include "lib/local_row.glsl"
