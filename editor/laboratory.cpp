@@ -69,10 +69,11 @@ Result<std::unique_ptr<Laboratory>> Laboratory::open(const Options& options) {
   // A plugin's instance belongs to the thread that made it, so the whole engine is made there.
   std::promise<Result<void>> opened;
   auto standing = opened.get_future();
-  made->thread_ = std::thread([&opened, raw = made.get()] {
-    raw->live([&opened](Result<void> result) { opened.set_value(std::move(result)); });
-  });
+  Laboratory* raw = made.get();
+  made->frames_.thread = std::thread(
+      [&opened, raw] { raw->live([&opened](Result<void> result) { opened.set_value(std::move(result)); }); });
   if (auto result = standing.get(); !result) return result.error();
+  made->rays_.thread = std::thread([raw] { raw->serve(raw->rays_); });
   return made;
 }
 
@@ -80,68 +81,76 @@ Laboratory::~Laboratory() {
   {
     const std::lock_guard lock(mutex_);
     closing_ = true;
-    for (const Work& work : waiting_) work.job->cancel();
-    if (current_) current_->cancel();
+    for (Queue* queue : {&frames_, &rays_}) {
+      for (const Work& work : queue->waiting) work.job->cancel();
+      if (queue->current) queue->current->cancel();
+    }
   }
   changed_.notify_all();
-  if (thread_.joinable()) thread_.join();
+  for (Queue* queue : {&frames_, &rays_})
+    if (queue->thread.joinable()) queue->thread.join();
 }
 
-void Laboratory::live(std::function<void(Result<void>)> opened) {
+void Laboratory::live(const std::function<void(Result<void>)>& opened) {
   auto catalogue = app::Catalogue::load(app::pluginFolder(options_.pluginFolder));
   if (!catalogue) return opened(catalogue.error());
   auto session = app::Session::open(catalogue.take(), options_.device);
   if (!session) return opened(session.error());
   session_ = session.take();
   opened({});
+  serve(frames_);
+  session_.reset();
+}
+
+void Laboratory::serve(Queue& queue) {
   for (;;) {
     Work work;
     {
       std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return closing_ || !waiting_.empty(); });
-      if (closing_) break;
-      work = std::move(waiting_.front());
-      waiting_.pop_front();
-      current_ = work.job;
+      changed_.wait(lock, [&] { return closing_ || !queue.waiting.empty(); });
+      if (closing_) return;
+      work = std::move(queue.waiting.front());
+      queue.waiting.pop_front();
+      queue.current = work.job;
     }
     std::function<void()> report;
     if (!work.job->cancelled) report = work.run(*work.job);
-    messages_ = session_->device().validationMessages();
     {
       const std::lock_guard lock(mutex_);
-      current_.reset();
+      queue.current.reset();
       done_.emplace_back(work.job, std::move(report));
     }
     if (options_.wake) options_.wake();
   }
-  session_.reset();
 }
 
-JobPointer Laboratory::add(std::string label, std::function<std::function<void()>(Job&)> run) {
+JobPointer Laboratory::add(Queue& queue, std::string label, std::function<std::function<void()>(Job&)> run) {
   auto job = std::make_shared<Job>();
   job->label = std::move(label);
   ++unfinished_;
   {
     const std::lock_guard lock(mutex_);
-    waiting_.push_back({job, std::move(run)});
+    queue.waiting.push_back({job, std::move(run)});
   }
   changed_.notify_all();
   return job;
 }
 
 JobPointer Laboratory::render(std::string label, RenderTask task, std::function<void(Result<RenderResult>)> done) {
-  return add(std::move(label),
+  return add(frames_, std::move(label),
              [this, task = std::move(task), done = std::move(done)](Job& job) -> std::function<void()> {
                auto result = std::make_shared<Result<RenderResult>>(renderNow(task, job));
+               messages_ = session_->device().validationMessages();
                return [result, done] { done(std::move(*result)); };
              });
 }
 
 JobPointer Laboratory::truth(std::string label, TruthTask task, std::function<void(Result<image::FloatImage>)> done) {
-  return add(std::move(label), [task = std::move(task), done = std::move(done)](Job& job) -> std::function<void()> {
-    auto result = std::make_shared<Result<image::FloatImage>>(traced(task, job));
-    return [result, done] { done(std::move(*result)); };
-  });
+  return add(rays_, std::move(label),
+             [task = std::move(task), done = std::move(done)](Job& job) -> std::function<void()> {
+               auto result = std::make_shared<Result<image::FloatImage>>(traced(task, job));
+               return [result, done] { done(std::move(*result)); };
+             });
 }
 
 void Laboratory::poll() {

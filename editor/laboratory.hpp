@@ -85,24 +85,28 @@ class Laboratory {
     JobPointer job;
     std::function<std::function<void()>(Job&)> run;  ///< on the thread; returns what poll() calls
   };
+  struct Queue {
+    std::deque<Work> waiting;
+    JobPointer current;
+    std::thread thread;
+  };
   explicit Laboratory(const Options& options) : options_(options) {}
-  void live(std::function<void(Result<void>)> opened);
-  JobPointer add(std::string label, std::function<std::function<void()>(Job&)> run);
+  void live(const std::function<void(Result<void>)>& opened);
+  void serve(Queue& queue);
+  JobPointer add(Queue& queue, std::string label, std::function<std::function<void()>(Job&)> run);
   Result<RenderResult> renderNow(const RenderTask& task, Job& job);
   Result<void> follow(const Shot& shot);
 
   Options options_;
-  std::unique_ptr<app::Session> session_;  ///< lives and dies on the thread
+  std::unique_ptr<app::Session> session_;  ///< lives and dies on the thread of the frames
   std::shared_ptr<const app::Level> level_;
   std::atomic<int> unfinished_{0};
   std::atomic<std::uint32_t> messages_{0};
-  std::mutex mutex_;
+  std::mutex mutex_;  ///< guards all below but the threads themselves
   std::condition_variable changed_;
-  std::deque<Work> waiting_;                                        // guarded by mutex_
-  std::vector<std::pair<JobPointer, std::function<void()>>> done_;  // guarded by mutex_
-  bool closing_ = false;                                            // guarded by mutex_
-  JobPointer current_;                                              // guarded by mutex_
-  std::thread thread_;
+  std::vector<std::pair<JobPointer, std::function<void()>>> done_;
+  bool closing_ = false;
+  Queue frames_, rays_;
 };
 
 }  // namespace tyndall::editor

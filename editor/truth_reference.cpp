@@ -85,7 +85,11 @@ void Reference::update(ResearchContext& context) {
   }
   const bool moved = wanted_ && !wanted_->sameTruth(context.shot);
   if (moved && active()) cancel();
-  if (next_ > 0 && !running(job_)) startSize(context, next_);
+  // The coarse comparison is shown before the next size is begun.
+  if (next_ > 0 && !running(job_) && context.settled) {
+    renderCurrent(context);
+    startSize(context, next_);
+  }
   if (again && context.settled && !active() && kind != ReferenceKind::kStored && (!wanted_ || moved)) start(context);
   if (context.settled) renderCurrent(context);
 }
