@@ -19,7 +19,8 @@ constexpr float kBarWidth = 180, kBarHeight = 10;
 void TruthPanel::draw(ResearchContext& context) {
   if (!open) return;
   reference.update(context);
-  ImGui::SetNextWindowPos({30, 40}, ImGuiCond_FirstUseEver);
+  // Right, so that viewers, which open left, do not hide it.
+  ImGui::SetNextWindowPos({std::max(30.0f, static_cast<float>(context.shot.width) - 575), 40}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize({560, 520}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSizeConstraints({320, 240}, {16384, 16384});
   if (ImGui::Begin("Reference", &open, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
@@ -184,9 +185,11 @@ void TruthPanel::picture(ResearchContext& context) {
   canvas_.dragTaken = dividerHeld_;
   const auto seen =
       canvas_.begin(context.workspace, "reference", {room.x, std::max(room.y - line, 20.0f)}, size, texture);
+  const char* waiting = reference.valid(context) ? "rendering the present settings ..."
+                        : reference.active()     ? "the first picture comes soon ..."
+                                                 : "start a reference to compare with";
   if (!a)
-    seen.list->AddText(toIm(seen.low + 8.0f), ImGui::GetColorU32(kDimColor),
-                       reference.active() ? "the first picture comes soon ..." : "start a reference to compare with");
+    seen.list->AddText(toIm(seen.low + 8.0f), ImGui::GetColorU32(kDimColor), waiting);
   else if (show_ == Show::kSplit)
     divider(seen, context, glm::vec2(size));
   else if (show_ == Show::kError)
