@@ -98,6 +98,8 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   if (!renderer) return renderer.error();
   editor->renderer_ = renderer.take();
   editor->windowMemory_ = std::make_unique<render::GraphMemory>(editor->session_->device());
+  const auto wake = [] { glfwPostEmptyEvent(); };
+  editor->research_ = std::make_unique<Research>(*editor->session_, *editor->renderer_, Laboratory::Options{device, options.pluginFolder, wake});
   editor->workspace_.seconds = options.seconds;
   for (const std::string& line : told) editor->workspace_.tell(line, false);
   return editor;
@@ -123,7 +125,7 @@ Result<void> Editor::run() {
   if (auto finished = session_->finishFrames(); !finished) return finished;
   if (stress_)
     if (auto good = stress_->report({*session_, workspace_, *window_, pictures_}); !good) return good;
-  const std::uint32_t messages = session_->device().validationMessages();
+  const std::uint32_t messages = session_->device().validationMessages() + research_->validationMessages();
   if (messages > 0) return failed("--validate: the validation layer gave " + std::to_string(messages) + " messages (above); none is right");
   return writeScreenshot();
 }
@@ -161,12 +163,17 @@ scene::CameraView Editor::fileCamera() const {
   return cameras[std::min<std::size_t>(options_.camera, cameras.size() - 1)];
 }
 
+Research::Viewport Editor::viewport() const {
+  return {camera_->view(fileCamera()), viewWidth_, viewHeight_, viewLow_, viewSize_, viewHovered_, moving_ || workspace_.playing};
+}
+
 void Editor::drawWindows() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float side = std::min(std::clamp(size.x * 0.32f, 290.0f, 420.0f), size.x / 2);
   const float status = ImGui::GetFrameHeight() + 6;
   drawViewport(size.x - side, size.y - status);
   drawSide(size.x - side, side, size.y - status);
+  research_->draw(workspace_, viewport());
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 5));
   beginFixed("status", 0, size.y - status, size.x, status, ImGuiWindowFlags_NoScrollWithMouse);
   drawStatus(*session_, workspace_, viewWidth_, viewHeight_);
@@ -188,6 +195,8 @@ void Editor::drawViewport(float width, float height) {
   // Not in the frame of the press itself: the mouse's way to where it was pressed is no drag.
   looking_ = ImGui::IsItemActive() && !ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
   ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(Texture::kPicture), low, {low.x + width, low.y + height});
+  viewLow_ = {low.x, low.y}, viewSize_ = {width, height};
+  research_->drawOver(*ImGui::GetWindowDrawList(), workspace_, viewport());
   ImGui::End();
   ImGui::PopStyleVar();
 }

@@ -11,6 +11,7 @@
 #include "imgui_renderer.hpp"
 #include "options.hpp"
 #include "parameter_panel.hpp"
+#include "research.hpp"
 #include "state_file.hpp"
 #include "stress.hpp"
 #include "swapchain.hpp"
@@ -46,6 +47,7 @@ class Editor {
   void drawSide(float x, float width, float height);
   void steer();
   scene::CameraView fileCamera() const;
+  Research::Viewport viewport() const;
 
   // editor_frame.cpp: how it gets there
   Result<void> renderPicture();
@@ -63,6 +65,7 @@ class Editor {
   std::unique_ptr<Swapchain> swapchain_;
   std::unique_ptr<ImGuiRenderer> renderer_;
   std::unique_ptr<render::GraphMemory> windowMemory_;
+  std::unique_ptr<Research> research_;
   gpu::Image picture_;             ///< the newest, as the window shows it
   gpu::Buffer screenshot_;         ///< the window drawn last
   VkExtent2D screenshotSize_{0, 0};
@@ -75,6 +78,7 @@ class Editor {
   StateFile state_;
   std::uint32_t viewWidth_ = 0, viewHeight_ = 0;  ///< pixels of the viewport
   std::uint32_t frames_ = 0, pictures_ = 0;
+  glm::vec2 viewLow_{0}, viewSize_{0};            ///< of the viewport on the screen, points
   bool viewHovered_ = false, looking_ = false;
   bool moving_ = false;            ///< the camera was flown in the last frame
   bool timesTaken_ = true;         ///< of the newest picture

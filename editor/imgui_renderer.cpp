@@ -5,6 +5,7 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <imgui.h>
 
@@ -53,6 +54,8 @@ Result<std::unique_ptr<ImGuiRenderer>> ImGuiRenderer::create(gpu::Device& device
   sampler.magFilter = sampler.minFilter = VK_FILTER_LINEAR;
   sampler.addressModeU = sampler.addressModeV = sampler.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   made->sampler_ = device.sampler(sampler);
+  sampler.magFilter = sampler.minFilter = VK_FILTER_NEAREST;
+  made->nearest_ = device.sampler(sampler);
   return made;
 }
 
@@ -114,15 +117,23 @@ Result<void> ImGuiRenderer::copyGeometry(const ImDrawData& data) {
   return {};
 }
 
+Texture ImGuiRenderer::addTexture() { return std::exchange(nextTexture_, Texture{static_cast<std::intptr_t>(nextTexture_) + 1}); }
+
 Result<void> ImGuiRenderer::addPass(render::Graph& graph, const ImDrawData& data, render::ImageRef picture, render::ImageRef target) {
   if (auto copied = copyGeometry(data); !copied) return copied;
   const Geometry& frame = geometry_[device_.submittedFrames() % geometry_.size()];
   const render::ImageRef font = graph.import(font_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-  graph.pass("user interface", "editor")
-      .use(font, render::Use::kSampledGraphics)
-      .use(picture, render::Use::kSampledGraphics)
-      .use(target, render::Use::kColorWrite)
-      .run([this, &data, &frame, font, picture, target](render::PassContext& pass) {
+  struct Source {
+    render::ImageRef image;
+    VkSampler sampler;
+  };
+  std::map<Texture, Source> sources{{Texture::kFont, {font, sampler_}}, {Texture::kPicture, {picture, sampler_}}};
+  for (const auto& [texture, shown] : textures_)
+    sources[texture] = {graph.import(*shown.image, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL), shown.nearest ? nearest_ : sampler_};
+  render::Graph::Pass drawn = graph.pass("user interface", "editor");
+  for (const auto& [texture, source] : sources) drawn.use(source.image, render::Use::kSampledGraphics);
+  drawn.use(target, render::Use::kColorWrite)
+      .run([this, &data, &frame, sources, target](render::PassContext& pass) {
         const VkCommandBuffer commands = pass.commands();
         const gpu::ImageDesc& size = pass.desc(target);
         pass.beginRendering({{target, true, VkClearColorValue{{0.06f, 0.06f, 0.07f, 1}}}});
@@ -143,8 +154,10 @@ Result<void> ImGuiRenderer::addPass(render::Graph& graph, const ImDrawData& data
             if (part.extent.width == 0 || part.extent.height == 0) continue;
             vkCmdSetScissor(commands, 0, 1, &part);
             if (const ImTextureID wanted = command.GetTexID(); wanted != bound) {
-              const bool isPicture = wanted == reinterpret_cast<ImTextureID>(Texture::kPicture);
-              gpu::Descriptors(commands, pipeline_).sampled(0, pass.view(isPicture ? picture : font), sampler_).push();
+              // A texture that was removed since its window was drawn shows the font's for this one frame.
+              const auto found = sources.find(static_cast<Texture>(reinterpret_cast<std::intptr_t>(wanted)));
+              const Source& source = found != sources.end() ? found->second : sources.at(Texture::kFont);
+              gpu::Descriptors(commands, pipeline_).sampled(0, pass.view(source.image), source.sampler).push();
               bound = wanted;
             }
             vkCmdDrawIndexed(commands, command.ElemCount, 1, firstIndex + command.IdxOffset,

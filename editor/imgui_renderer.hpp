@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 
 #include "base/result.hpp"
@@ -15,12 +16,18 @@ struct ImDrawData;
 namespace tyndall::editor {
 
 /// What an ImTextureID of this program means: a number, not a pointer.
-enum class Texture : std::intptr_t { kFont = 1, kPicture = 2 };
+enum class Texture : std::intptr_t { kFont = 1, kPicture = 2, kFirstFree = 16 };
 
 class ImGuiRenderer {
  public:
   /// Bakes the font atlas of the current ImGui context; `format` is that of the images drawn into.
   static Result<std::unique_ptr<ImGuiRenderer>> create(gpu::Device& device, VkFormat format);
+
+  gpu::Device& device() { return device_; }
+  /// Another texture: what `image` holds in SHADER_READ_ONLY whenever a pass is added, until it is removed. `nearest`: texels are squares.
+  Texture addTexture();
+  void setTexture(Texture texture, const gpu::Image& image, bool nearest) { textures_[texture] = {&image, nearest}; }
+  void removeTexture(Texture texture) { textures_.erase(texture); }
 
   /// Adds the pass "user interface", which clears `target` and draws `data` over it. Copies the vertices at once: call it
   /// between the device's begin and end of a frame. `picture` is what Texture::kPicture shows.
@@ -39,7 +46,13 @@ class ImGuiRenderer {
   gpu::Device& device_;
   gpu::Image font_;
   gpu::Pipeline pipeline_;
-  VkSampler sampler_ = VK_NULL_HANDLE;
+  VkSampler sampler_ = VK_NULL_HANDLE, nearest_ = VK_NULL_HANDLE;
+  struct Shown {
+    const gpu::Image* image = nullptr;
+    bool nearest = false;
+  };
+  std::map<Texture, Shown> textures_;
+  Texture nextTexture_ = Texture::kFirstFree;
   std::array<Geometry, 2> geometry_;  ///< as many as the device has frames in flight
 };
 

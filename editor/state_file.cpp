@@ -24,6 +24,7 @@ Result<void> StateFile::update(const Snapshot& now) {
   const params::Table& table = now.session.table();
   for (const params::Parameter& parameter : table.parameters())
     json["settings"][parameter.id] = params::toText(parameter, table.value(parameter.id));
+  for (const auto& [name, value] : now.workspace.facts) json["facts"][name] = value;
   for (const auto& [name, rect] : now.workspace.widgets) json["widgets"][name] = {rect.x, rect.y, rect.width, rect.height};
   std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   if (text == written_) return {};

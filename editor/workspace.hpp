@@ -1,6 +1,7 @@
 // What the editor's panels share: what the user has chosen, what is to be told, where the widgets are.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -22,6 +23,8 @@ struct Workspace {
   bool reloadPlugin = false, reloadShaders = false;
   std::string message;            ///< the newest, one line
   bool messageIsError = false;
+  std::uint32_t levelEdits = 0;   ///< grows whenever the level in the session is another, or changed
+  std::map<std::string, std::string> facts;  ///< what research panels show, by name: for scripts that read the state file
   std::map<std::string, Rect> widgets;  ///< of the frame drawn last, by parameter id or name
 
   void tell(std::string line, bool isError) {

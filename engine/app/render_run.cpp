@@ -39,7 +39,7 @@ Result<void> unknownView(const Session& session, const std::string& name) {
 }  // namespace
 
 Result<RenderRun> renderFrames(Session& session, const RenderOptions& options, const scene::CameraView& camera) {
-  FrameRequest request{options.size.first, options.size.second, camera, options.seconds, "", false};
+  FrameRequest request{options.size.first, options.size.second, camera, options.seconds, "", {}, false};
   // The picture is always read: the graph drops passes that nobody needs, and the times are of the whole frame.
   const ReadbackWants wants{true, !options.scatter.empty(), !options.depth.empty()};
   RenderRun run;

@@ -62,6 +62,7 @@ Result<render::FrameOutput> Session::buildFrame(render::Graph& graph, const Fram
   input.settings.shadowPrecision =
       params::toText(*table().find("shadows.precision"), table().value("shadows.precision")) == "128" ? 128 : 64;
   input.settings.debugView = request.debugView;
+  input.settings.offered = request.views;
   input.effect = effect_.get();
   auto output = renderer_->addFrame(graph, input);
   if (!output) {
@@ -127,7 +128,7 @@ Result<void> Session::finishFrames() {
 
 std::vector<render::DebugViewInfo> Session::debugViews() const {
   std::vector<render::DebugViewInfo> views = render::Renderer::debugViews();
-  for (const host::PluginDebugView& view : effect_->debugViews()) views.push_back({view.name, view.doc});
+  for (const host::PluginDebugView& view : effect_->debugViews()) views.push_back({view.name, view.doc, view.role});
   return views;
 }
 

@@ -4,6 +4,22 @@
 #include "effect_state.hpp"
 
 namespace tyndall::host {
+namespace {
+
+/// A role of a later version is none that the host knows.
+render::ViewRole roleOf(std::uint32_t role) {
+  switch (role) {
+    case TY_VIEW_ROWS: return render::ViewRole::kRows;
+    case TY_VIEW_ROW_DEPTHS: return render::ViewRole::kRowDepths;
+    case TY_VIEW_ROW_PLACE: return render::ViewRole::kRowPlace;
+    case TY_VIEW_LIGHT_RAY_START: return render::ViewRole::kLightRayStart;
+    case TY_VIEW_LIGHT_RAY_END: return render::ViewRole::kLightRayEnd;
+    case TY_VIEW_REFERENCE: return render::ViewRole::kReference;
+    default: return render::ViewRole::kPlain;
+  }
+}
+
+}  // namespace
 
 Result<std::unique_ptr<PluginEffect>> PluginEffect::create(gpu::Device& device, Plugin& plugin,
                                                            const params::Table& table) {
@@ -75,12 +91,12 @@ std::vector<PluginDebugView> PluginEffect::debugViews() const {
   State& s = *state_;
   std::vector<PluginDebugView> views;
   if (s.built) {
-    for (const LayoutDebugView& view : s.built->layout.debugViews) views.push_back({view.name, view.doc});
+    for (const LayoutDebugView& view : s.built->layout.debugViews) views.push_back({view.name, view.doc, roleOf(view.d.role)});
     return views;
   }
   Structure structure;
   if (auto layout = s.preview(structure))
-    for (const LayoutDebugView& view : layout->debugViews) views.push_back({view.name, view.doc});
+    for (const LayoutDebugView& view : layout->debugViews) views.push_back({view.name, view.doc, roleOf(view.d.role)});
   return views;
 }
 

@@ -72,9 +72,12 @@ class Checker {
 
   Result<void> debugViews() {
     std::set<Text> names;
+    std::set<std::uint32_t> roles;
     for (const LayoutDebugView& v : l_.debugViews) {
       const auto bad = [&](const Text& what) { return failed("debug view '" + v.name + "': " + what); };
       if (!names.insert(v.name).second) return bad("appears twice");
+      if (v.d.role >= TY_VIEW_ROW_PLACE && !roles.insert(v.d.role).second)
+        return bad("has the role " + str(v.d.role) + " of another view; one view of a layout may have it");
       if (v.d.channel > 4 || !std::isfinite(v.d.low) || !std::isfinite(v.d.high) || v.d.low == v.d.high)
         return bad("its channel is 0 to 4, low and high are two different finite numbers");
       if (v.d.source == TY_SOURCE_IMAGE) {

@@ -154,7 +154,7 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
     if (frame->cookies) frame->cookieArray = graph.import(frame->resources->cookies.image, kRead, kRead);
   }
   if (Result<void> r = addShadowPasses(graph, tools, frame, input.lights, shadowSize); !r) return r.error();
-  if (Result<void> r = addGBufferPass(graph, tools, frame, !debugView.empty()); !r) return r.error();
+  if (Result<void> r = addGBufferPass(graph, tools, frame, !debugView.empty() || !input.settings.offered.empty()); !r) return r.error();
   if (Result<void> r = addLightingPasses(graph, tools, frame, input.lights); !r) return r.error();
   if (Result<void> r = addTransparentPass(graph, tools, frame); !r) return r.error();
 
@@ -194,6 +194,13 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
                                     : addDebugPass(graph, tools, frame->view, *shown);
     if (!picture) return picture.error();
     output.picture = *picture;
+  }
+  for (const std::string& name : input.settings.offered) {
+    Result<Effect::DebugImage> view = Effect::DebugImage{};
+    if (isEngineDebugView(name)) view = engineDebugImage(graph, tools, *frame, name, output.scatter, input.settings.exposure);
+    else if (input.effect) view = input.effect->debugImage(name);
+    if (!view) return view.error();
+    output.views.push_back(*view);
   }
   state_->notes = frame->plan.notes;
   return output;

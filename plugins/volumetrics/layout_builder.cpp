@@ -150,7 +150,7 @@ std::uint32_t LayoutBuilder::casters(std::string name, std::uint32_t image, std:
 }
 
 void LayoutBuilder::debugView(std::string name, std::string doc, TySource source, std::uint32_t index, std::uint32_t layer,
-                              std::uint32_t channel, float low, float high) {
+                              std::uint32_t channel, float low, float high, TyViewRole role) {
   if (std::any_of(views_.begin(), views_.end(), [&](const TyDebugView& view) { return name == view.name; })) return;
   TyDebugView made{};
   made.struct_size = sizeof(TyDebugView);
@@ -162,6 +162,7 @@ void LayoutBuilder::debugView(std::string name, std::string doc, TySource source
   made.channel = channel;
   made.low = low;
   made.high = high;
+  made.role = role;
   views_.push_back(made);
 }
 

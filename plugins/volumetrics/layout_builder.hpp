@@ -61,7 +61,7 @@ class LayoutBuilder {
   /// cleared to 1, nearer kept. Returns the pass's index.
   std::uint32_t casters(std::string name, std::uint32_t image, std::uint32_t layer, std::uint32_t uniformBlock);
   void debugView(std::string name, std::string doc, TySource source, std::uint32_t index, std::uint32_t layer,
-                 std::uint32_t channel, float low, float high);
+                 std::uint32_t channel, float low, float high, TyViewRole role = TY_VIEW_PLAIN);
   void tunable(std::uint32_t parameter, double automatic, std::vector<double> variants, std::vector<const char*> passes);
   LayoutRoles& roles() { return roles_; }
   /// Valid until the next clear().

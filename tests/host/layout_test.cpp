@@ -413,6 +413,7 @@ TEST(LayoutRefused, readingWhatNobodyWrote) {
 TEST(LayoutRefused, viewsCountersTunables) {
   expectRefusals({
       {"debug view 'map': appears twice", [](Given& g) { g.views[0].name = "map"; }},
+      {"debug view 'map': has the role 3", [](Given& g) { g.views[0].role = g.views[1].role = TY_VIEW_ROW_PLACE; }},
       {"debug view 'flat': image 6", [](Given& g) { g.views[0].index = 6; }},
       {"3D or integer", [](Given& g) { g.views[0].index = kVolume; }},
       {"3D or integer", [](Given& g) { g.views[0].index = kUint; }},

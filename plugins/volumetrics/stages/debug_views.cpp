@@ -29,7 +29,8 @@ void addDifferenceView(const LayoutContext& context, LayoutBuilder& builder, std
   builder.compute({"debug difference", "debug_difference.comp",
                    {outputAt(0, TY_ACCESS_SAMPLED), sampledAt(1, dense), storageAt(2, difference)},
                    groups8(width), groups8(height), 1, 0, {}});
-  builder.debugView("dense_march", "Dense march of every light through its shadow map, RGB radiance", TY_SOURCE_IMAGE, dense, 0, 4, 0.0f, 1.0f);
+  builder.debugView("dense_march", "Dense march of every light through its shadow map, RGB radiance", TY_SOURCE_IMAGE, dense, 0, 4, 0.0f, 1.0f,
+                    TY_VIEW_REFERENCE);
   builder.debugView("difference", "Absolute difference to the dense march, RGB radiance, ten times as bright", TY_SOURCE_IMAGE,
                     difference, 0, 4, 0.0f, 0.1f);
 }
@@ -59,7 +60,27 @@ void addRowViews(const LayoutContext& context, LayoutBuilder& builder, const Rec
   for (std::uint32_t k = 0; k < rays; ++k)
     builder.debugView("weights_" + std::to_string(k),
                       "Weight of each column for reference ray " + std::to_string(k) + ", relative to an even share; black 0, white 2",
-                      TY_SOURCE_IMAGE, weights, k, 0, 0.0f, 2.0f);
+                      TY_SOURCE_IMAGE, weights, k, 0, 0.0f, 2.0f, TY_VIEW_ROWS);
+
+  const std::uint32_t places = builder.image("row places", TY_FORMAT_RGBA32_FLOAT, width, height);
+  builder.compute({"debug row places", "debug_places.comp",
+                   {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2),
+                    bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4), storageAt(5, places),
+                    sampledAt(6, stage.rectified), unshadowedAt21(stage)},
+                   groups8(width), groups8(height), 1, kEachLight, {}});
+  builder.debugView("row_place", "Where the end of each pixel's ray lies in the maps of rows: slice and column, 0 to 1, inclination (rad), depth (of the last light)",
+                    TY_SOURCE_IMAGE, places, 0, 4, 0.0f, 1.0f, TY_VIEW_ROW_PLACE);
+  const std::uint32_t lightRays = builder.image("light rays", TY_FORMAT_RGBA32_FLOAT, stage.slices, stage.rows, 3, true);
+  builder.compute({"debug light rays", "debug_light_rays.comp",
+                   {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
+                    sampledAt(3, stage.rectified), sampledAt(4, stage.projective), storageAt(5, lightRays)},
+                   groups8(stage.slices), groups8(stage.rows), 1, kEachLight, {{8, stage.filtered ? 1u : 0u}}});
+  builder.debugView("light_ray_start", "World point (m) of the light ray of each texel of the rows, nearer to the light than what is seen of it (of the last light)",
+                    TY_SOURCE_IMAGE, lightRays, 0, 4, -10.0f, 10.0f, TY_VIEW_LIGHT_RAY_START);
+  builder.debugView("light_ray_end", "World point (m) of the first blocker on the light ray of each texel of the rows, or its last point in view",
+                    TY_SOURCE_IMAGE, lightRays, 1, 4, -10.0f, 10.0f, TY_VIEW_LIGHT_RAY_END);
+  builder.debugView("row_depths", "Depth of the first blocker of each texel of the rows, whichever rectification the view has; white = none (of the last light)",
+                    TY_SOURCE_IMAGE, lightRays, 2, 0, 0.0f, 1.0f, TY_VIEW_ROW_DEPTHS);
 }
 
 void addRowLayout(const LayoutContext& context, LayoutBuilder& builder,

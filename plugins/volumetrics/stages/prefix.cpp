@@ -90,9 +90,9 @@ void addPrefix(const LayoutContext& context, LayoutBuilder& builder, const Recti
 
   if (bounded != 0) {
     builder.debugView("prefix_min", "Prefix minimum of the depth of the first blocker: rays below it are lit", TY_SOURCE_IMAGE,
-                      bounds, 0, 0, 0.0f, 1.0f);
+                      bounds, 0, 0, 0.0f, 1.0f, TY_VIEW_ROWS);
     builder.debugView("prefix_max", "Prefix maximum of the depth of the first blocker: rays above it are shadowed",
-                      TY_SOURCE_IMAGE, bounds, 0, 1, 0.0f, 1.0f);
+                      TY_SOURCE_IMAGE, bounds, 0, 1, 0.0f, 1.0f, TY_VIEW_ROWS);
   }
   builder.tunable(prefixSchemeIndex(), static_cast<double>(PrefixScheme::kAuto),
                   {static_cast<double>(PrefixScheme::kRow), static_cast<double>(PrefixScheme::kBlock),

@@ -155,7 +155,8 @@ void addShine(LayoutBuilder& builder, RectifyStage& stage, std::uint32_t rays, c
                    {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), slices, sampledAt(3, stage.weights), storageAt(4, stage.lit)},
                    groups8(stage.slices), parts, 1, kEachLight, {{1, rays}}});
   builder.debugView("lit", "What fully lit rays receive of the light's strength and colour up to each column, first reference ray",
-                    TY_SOURCE_IMAGE, stage.lit, 0, stage.lights.coloured ? 4 : 0, 0.0f, 1.0f);
+                    TY_SOURCE_IMAGE, stage.lit, 0, stage.lights.coloured ? 4 : 0, 0.0f, 1.0f,
+                    TY_VIEW_ROWS);
 }
 
 }  // namespace
@@ -232,12 +233,12 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, co
     if (!lights.coloured) builder.roles().rectifyPass = pass;
   }
   builder.debugView("rectified", "Rectified map, resampled: slices along x, columns along y; depth of the first blocker, white = none",
-                    TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f);
+                    TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f, TY_VIEW_ROWS);
   if (stage.filtered) {
     builder.debugView("rectified_second", "Rectified map, filtered: depth of the second blocker", TY_SOURCE_IMAGE, stage.rectified, 0, 1,
-                      0.0f, 1.0f);
+                      0.0f, 1.0f, TY_VIEW_ROWS);
     builder.debugView("rectified_share", "Rectified map, filtered: share of the second blocker", TY_SOURCE_IMAGE, stage.rectified, 0, 2,
-                      0.0f, 1.0f);
+                      0.0f, 1.0f, TY_VIEW_ROWS);
     builder.debugView("shadow_moments", "The first light's moment shadow map that the rows are made of, first three channels",
                       TY_SOURCE_SHADOW_MOMENTS, 0, 0, 4, 0.0f, 1.0f);
   }
@@ -263,7 +264,7 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, co
     if (i == 0) builder.roles().casterPass = pass;
     builder.debugView("projective_" + std::to_string(i),
                       "Rectified map, rasterised, of split " + std::to_string(i) + ": slices along x, columns along y; white = no blocker",
-                      TY_SOURCE_IMAGE, stage.projective, i, 0, 0.0f, 1.0f);
+                      TY_SOURCE_IMAGE, stage.projective, i, 0, 0.0f, 1.0f, splits == 1 ? TY_VIEW_ROWS : TY_VIEW_PLAIN);
   }
   return stage;
 }

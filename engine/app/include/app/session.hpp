@@ -31,6 +31,7 @@ struct FrameRequest {
   scene::CameraView camera;
   double seconds = 0;        ///< time of the level's animations
   std::string debugView;     ///< "" = the picture
+  std::vector<std::string> views{};  ///< debug views to be handed out beside the picture (see ViewReadback)
   bool reset = false;        ///< a cut: what was kept from earlier frames is worthless
 };
 

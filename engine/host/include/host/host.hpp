@@ -20,6 +20,7 @@ struct TechniqueInfo {
 };
 struct PluginDebugView {
   std::string name, doc;
+  render::ViewRole role = render::ViewRole::kPlain;
 };
 
 /// A loaded plugin: library, tables (copied), instance.

@@ -50,6 +50,9 @@ struct ShadowedLight {
   glm::mat4 cookieFromWorld{1};             ///< TyLight.cookie_from_world
 };
 
+/// What the numbers of a debug view mean: TyViewRole of the plugins' ABI.
+enum class ViewRole { kPlain, kRows, kRowDepths, kRowPlace, kLightRayStart, kLightRayEnd, kReference };
+
 /// What an effect (the plugin host) is given while the graph is built.
 struct EffectInput {
   Graph& graph;
@@ -86,6 +89,7 @@ struct FrameSettings {
   ShadowMode shadowMode = ShadowMode::kPcf;
   std::uint32_t shadowPrecision = 64; ///< bits per texel of moment shadow maps: 64 or 128
   std::string debugView;              ///< "" = the picture; engine views: see debugViews()
+  std::vector<std::string> offered;   ///< debug views whose images are handed out beside the picture (FrameOutput::views)
 };
 
 struct FrameOutput {
@@ -93,10 +97,12 @@ struct FrameOutput {
   ImageRef scatter;                   ///< RGBA32F, empty when the effect had nothing to do
   ImageRef depth;                     ///< D32, reversed
   ImageRef color;                     ///< RGBA32F radiance of surfaces and sky, before medium, exposure and tone map
+  /// Of FrameSettings::offered, in its order; no image where this frame has none. Passes that only they need run if a later pass reads them.
+  std::vector<Effect::DebugImage> views;
 };
 
 /// Name and help of each of the engine's own debug views ("depth", "normal", "base_color", "shadow_map", ...).
-struct DebugViewInfo { std::string name, doc; };
+struct DebugViewInfo { std::string name, doc; ViewRole role = ViewRole::kPlain; };
 
 class Renderer {
  public:

@@ -1,4 +1,4 @@
-/* Tyndall plugin ABI, version 1.1. One header, C11 and C++20, no other dependency.
+/* Tyndall plugin ABI, version 1.2. One header, C11 and C++20, no other dependency.
  *
  * A plugin is a shared library with one exported symbol, `tyndall_plugin` (a TyPlugin). It owns no GPU object and
  * calls no graphics API: it describes, as plain data, the images, buffers and passes that its host makes and runs for
@@ -22,6 +22,7 @@
  * - New in 1.1: TyUniformData.skip; a pass may sample and store to different parts of one image (TyBinding);
  *   TY_SOURCE_SHADOW_MOMENTS and TyStructure.shadow_moments_format; images that lights shine through (TyStructure.light_cookies,
  *   TyLight.cookie_*, TY_SOURCE_LIGHT_COOKIE) and TY_SAMPLER_LINEAR_MIPMAP_REPEAT.
+ * - New in 1.2: TyDebugView.role.
  * - Units: metres, radians, seconds; linear colour; matrices column-major, named result_from_source; view space looks
  *   down -Z, +Y up; clip space is Vulkan's (x right, y down, z in [0, 1]); depth of the scene is reversed (1 at the
  *   near plane, 0 at the far plane or where nothing was drawn).
@@ -38,7 +39,7 @@ extern "C" {
 #endif
 
 #define TY_ABI_MAJOR 1u
-#define TY_ABI_MINOR 1u
+#define TY_ABI_MINOR 2u
 #define TY_ABI_VERSION ((TY_ABI_MAJOR << 16) | TY_ABI_MINOR)
 #define TY_ABI_MAJOR_OF(version) ((version) >> 16)
 #define TY_ABI_MINOR_OF(version) ((version)&0xffffu)
@@ -275,6 +276,25 @@ typedef struct TyPass {
 /* Consecutive passes with per_light = 1 form a group. The host runs a group light by light - all passes of the group
  * for light 0, then all for light 1 - so that lights take turns in the same transient memory. */
 
+/* What the numbers of a debug view mean, for tools that know no plugin by name. A host may treat roles that it does not know
+ * as TY_VIEW_PLAIN. A layout has at most one view of each role from TY_VIEW_ROW_PLACE on. */
+typedef enum TyViewRole {
+  TY_VIEW_PLAIN = 0,
+  /* A map whose rows hold view rays: slices along x, columns along y, whatever its size. TY_VIEW_ROW_DEPTHS: it holds the
+   * normalised depth of the first blocker, 1 for none: what lies before it on its light ray is lit. */
+  TY_VIEW_ROWS = 1,
+  TY_VIEW_ROW_DEPTHS = 2,
+  /* Of each pixel, RGBA: where the end of its view ray lies in those maps, x and y from 0 to 1 over the whole map (its column is
+   * clamped to the map); its inclination to the direction of the light, rad; its normalised depth, as TY_VIEW_ROW_DEPTHS holds it. */
+  TY_VIEW_ROW_PLACE = 3,
+  /* Of each texel of those maps, RGB: points of its light ray in world space, m: one nearer to the light than all that the view
+   * meets of it, and its blocker, or without one where the view last can meet it. A of START: 1, or 0 where the texel has no light ray; of END: 1 for a blocker. */
+  TY_VIEW_LIGHT_RAY_START = 4,
+  TY_VIEW_LIGHT_RAY_END = 5,
+  /* In-scattered radiance of every light (RGB) found without the technique's approximations, to judge its result by. */
+  TY_VIEW_REFERENCE = 6
+} TyViewRole;
+
 /* A picture the plugin can show of its insides. */
 typedef struct TyDebugView {
   uint32_t struct_size;
@@ -285,6 +305,7 @@ typedef struct TyDebugView {
   uint32_t mip, layer;
   uint32_t channel;        /* 0..3 R G B A as grey; 4 RGB */
   float low, high;         /* values mapped to black and white */
+  uint32_t role;           /* since 1.2: TyViewRole */
 } TyDebugView;
 
 /* A transient buffer that the host fills with zeros before the first pass and reads back after the frame; names[i] names

@@ -182,9 +182,9 @@ void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightC
                     0.0f, static_cast<float>(matrix.elements()) / 65535.0f);
   if (settings.prefix_bounds != 0) {
     builder.debugView("prefix_min", "Prefix minimum of the depth of the first blocker: rays below it are lit", TY_SOURCE_IMAGE,
-                      images.bounds, 0, 0, 0.0f, 1.0f);
+                      images.bounds, 0, 0, 0.0f, 1.0f, TY_VIEW_ROWS);
     builder.debugView("prefix_max", "Prefix maximum of the depth of the first blocker: rays above it are shadowed", TY_SOURCE_IMAGE,
-                      images.bounds, 0, 1, 0.0f, 1.0f);
+                      images.bounds, 0, 1, 0.0f, 1.0f, TY_VIEW_ROWS);
   }
   addRowViews(context, builder, stage);
 }

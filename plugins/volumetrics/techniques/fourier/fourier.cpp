@@ -49,9 +49,9 @@ void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightC
     const std::string function = std::string(i % 2 == 0 ? "sin " : "cos ") + std::to_string(i / 2 * 2 + 1) + " pi depth";
     const auto layer = static_cast<std::uint32_t>(i / 4), channel = static_cast<std::uint32_t>(i % 4);
     builder.debugView("basis_" + std::to_string(i), "Basis function " + function + " of every texel", TY_SOURCE_IMAGE, basis, layer,
-                      channel, 0.0f, 1.0f);
+                      channel, 0.0f, 1.0f, TY_VIEW_ROWS);
     builder.debugView("prefix_" + std::to_string(i), "Prefix average of " + function + ", first reference ray", TY_SOURCE_IMAGE,
-                      technique.images[0], layer, channel, 0.0f, 1.0f);
+                      technique.images[0], layer, channel, 0.0f, 1.0f, TY_VIEW_ROWS);
   }
   addRowViews(context, builder, stage);
 }

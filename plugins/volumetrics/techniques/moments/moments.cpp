@@ -23,7 +23,7 @@ void addMomentViews(LayoutBuilder& builder, const RectifyStage& stage, const std
     builder.debugView("moment_" + std::to_string(i + 1),
                       "Prefix average of the depth's power " + std::to_string(i + 1) + " (depth in [-1, 1]), first reference ray",
                       TY_SOURCE_IMAGE, shown, static_cast<std::uint32_t>(i / 4), static_cast<std::uint32_t>(i % 4),
-                      i % 2 == 0 ? -1.0f : 0.0f, 1.0f);
+                      i % 2 == 0 ? -1.0f : 0.0f, 1.0f, TY_VIEW_ROWS);
 }
 
 template <int kMoments>
@@ -47,10 +47,10 @@ void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightC
 
   const float low = storage.quantise ? 0.0f : -1.0f;
   builder.debugView("prefix_a", "Stored prefix of the moments, first image, first three channels, first reference ray",
-                    TY_SOURCE_IMAGE, technique.images[0], 0, 4, low, 1.0f);
+                    TY_SOURCE_IMAGE, technique.images[0], 0, 4, low, 1.0f, TY_VIEW_ROWS);
   if (storage.second != TY_FORMAT_UNKNOWN)
     builder.debugView("prefix_b", "Stored prefix of the moments, second image, first reference ray", TY_SOURCE_IMAGE,
-                      technique.images[1], 0, 4, low, 1.0f);
+                      technique.images[1], 0, 4, low, 1.0f, TY_VIEW_ROWS);
   addMomentViews(builder, stage, technique.prefixConstants, technique.images, kMoments);
   addRowViews(context, builder, stage);
 }
