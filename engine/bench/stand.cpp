@@ -37,7 +37,8 @@ Result<void> Stand::frame(const app::FrameRequest& request, bool scatter) {
 
 Result<void> Stand::render(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int frames, bool scatter) {
   if (auto applied = applySettings(session_->table(), settings); !applied) return applied;
-  const app::FrameRequest request{size.first, size.second, camera, seconds, "", false};
+  app::FrameRequest request;
+  request.width = size.first, request.height = size.second, request.camera = camera, request.seconds = seconds;
   for (int i = 0; i < frames; ++i)
     if (auto done = frame(request, scatter); !done) return done;
   passes_ = session_->lastPassTimes();
