@@ -10,18 +10,7 @@ using namespace forest;
 constexpr float kFar = 160.0f;                               // metres: across the terrain with room above the trees
 constexpr float kSunElevation = 27.0f, kSunAzimuth = 37.0f;  // degrees; azimuth from +x towards -z
 
-std::int32_t foliage(LevelBuilder& level, const std::string& name, std::int32_t texture, const glm::vec3& tint) {
-  scene::Material m;
-  m.name = name;
-  m.baseColor = glm::vec4(tint, 1);
-  m.metallic = 0;
-  m.roughness = 0.9f;  // bent normals would make grazing light glitter on anything smoother
-  m.alphaMode = scene::AlphaMode::kMask;
-  m.alphaCutoff = 0.5f;
-  m.doubleSided = true;
-  m.baseColorTexture.texture = texture;
-  return level.material(m);
-}
+constexpr float kLeafRough = 0.9f;  // bent normals would make grazing light glitter on anything smoother
 
 Materials addMaterials(LevelBuilder& level) {
   Materials m{};
@@ -32,10 +21,11 @@ Materials addMaterials(LevelBuilder& level) {
   m.planks = level.material("weathered planks", planks());
   // Cut-outs do not tile: the edge's filtering must not reach round to the other side.
   const std::int32_t twig = level.texture(leafyTwig(), scene::Wrap::kClampToEdge);
-  m.leaves = foliage(level, "leaves", twig, {1, 1, 1});
-  m.paleLeaves = foliage(level, "birch leaves", twig, {1.0f, 0.95f, 0.55f});
-  m.needles = foliage(level, "needles", level.texture(spruceFrond(), scene::Wrap::kClampToEdge), {1, 1, 1});
-  m.undergrowth = foliage(level, "undergrowth", level.texture(undergrowth(), scene::Wrap::kClampToEdge), {1, 1, 1});
+  m.leaves = level.cutout("leaves", twig, {1, 1, 1}, kLeafRough);
+  m.paleLeaves = level.cutout("birch leaves", twig, {1.0f, 0.95f, 0.55f}, kLeafRough);
+  m.needles = level.cutout("needles", level.texture(spruceFrond(), scene::Wrap::kClampToEdge), {1, 1, 1}, kLeafRough);
+  m.undergrowth =
+      level.cutout("undergrowth", level.texture(undergrowth(), scene::Wrap::kClampToEdge), {1, 1, 1}, kLeafRough);
   m.water = level.plain("water", {0.018f, 0.026f, 0.022f}, 0.08f);
   return m;
 }

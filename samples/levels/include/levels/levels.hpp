@@ -18,13 +18,16 @@ scene::Scene makeVault();
 /// A store room, 15 m x 12 m x 5 m: a point light in a swinging cage, another in a stove.
 scene::Scene makeCage();
 
+/// A street at night, 45 m long: lamps, lit windows and the moon behind a gate tower.
+scene::Scene makeTown();
+
 /// Every level by its file's name.
 struct Sample {
   const char* name;
   scene::Scene (*make)();
 };
 inline constexpr Sample kSamples[] = {
-    {"hall", makeHall}, {"forest", makeForest}, {"vault", makeVault}, {"cage", makeCage}};
+    {"hall", makeHall}, {"forest", makeForest}, {"vault", makeVault}, {"cage", makeCage}, {"town", makeTown}};
 
 /// How many triangles a frame that culls nothing draws: every mesh counted once per node that uses it.
 std::size_t instancedTriangles(const scene::Scene& scene);
