@@ -29,9 +29,10 @@ glm::vec3 onLoop(const std::vector<glm::vec3>& points, float at) {
 
 }  // namespace
 
-std::int32_t LevelBuilder::texture(scene::Image image, scene::Wrap wrap) {
+std::int32_t LevelBuilder::texture(scene::Image image, scene::Wrap wrap, bool mips) {
   scene::Texture t;
   t.image = append(scene_.images, std::move(image));
+  t.sampler.useMipmaps = mips;
   t.sampler.wrapU = t.sampler.wrapV = wrap;
   return append(scene_.textures, t);
 }

@@ -13,7 +13,7 @@ class LevelBuilder {
  public:
   explicit LevelBuilder(const std::string& name) { scene_.name = name; }
 
-  std::int32_t texture(scene::Image image, scene::Wrap wrap = scene::Wrap::kRepeat);
+  std::int32_t texture(scene::Image image, scene::Wrap wrap = scene::Wrap::kRepeat, bool mips = true);
   std::int32_t material(scene::Material material);
   /// An opaque dielectric with the surface's colour, normals and roughness.
   /// `bounced`: light that comes back from all around, as radiance of a white surface; a level without a sky bakes it

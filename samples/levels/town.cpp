@@ -70,7 +70,7 @@ scene::Scene makeTown() {
   LevelBuilder level("town");
   const float elevation = glm::radians(kMoonElevation), azimuth = glm::radians(kMoonAzimuth);
   level.sun({glm::cos(elevation) * glm::sin(azimuth), glm::sin(elevation), -glm::cos(elevation) * glm::cos(azimuth)},
-            {0.62f, 0.78f, 1.0f}, 0.6f, "moon");
+            {0.60f, 0.77f, 1.0f}, 1.0f, "moon");
   const Cookies cookies{level.texture(leadedWindow(), scene::Wrap::kClampToEdge),
                         level.texture(panedWindow(), scene::Wrap::kClampToEdge)};
   addCameras(level);

@@ -52,8 +52,8 @@ void addCloth(MeshBuilder& cloth, MeshBuilder& iron, const glm::mat4& at, float 
                      y - 0.6f * out - hang * (0.16f + 0.09f * scallop) - 0.05f * glm::sin(glm::pi<float>() * out),
                      1.4f * out + 0.02f * hang);
   };
-  surface(cloth, 48, 10, {2 * half, 1.8f}, [&](float u, float v) { return point(u, 1 - v); });
-  surface(cloth, 48, 10, {2 * half, 1.8f}, [&](float u, float v) { return point(u, v) - glm::vec3(0, 0.012f, 0); });
+  surface(cloth, 40, 7, {2 * half, 1.8f}, [&](float u, float v) { return point(u, 1 - v); });
+  surface(cloth, 40, 7, {2 * half, 1.8f}, [&](float u, float v) { return point(u, v) - glm::vec3(0, 0.012f, 0); });
   for (const float s : {-half, half}) tube(iron, {{s, y - 0.65f, 0}, {s, y - 0.62f, 1.4f}}, {0.015f, 0.015f}, 6, true);
 }
 

@@ -23,7 +23,7 @@ struct Lit {
   glm::vec3 color;
 };
 constexpr Lit kLit[] = {{7, 1, 1, Fill::kLeaded, 1500, 0.62f, 0.50f, {1.0f, 0.74f, 0.42f}},
-                        {1, 0, 1, Fill::kPaned, 1300, 0.25f, 0.55f, {1.0f, 0.68f, 0.36f}},
+                        {1, 0, 1, Fill::kPaned, 650, 0.15f, 0.62f, {1.0f, 0.68f, 0.36f}},
                         {3, 1, 1, Fill::kLeaded, 1700, 0.70f, 0.42f, {1.0f, 0.78f, 0.46f}}};
 
 struct Builders {
@@ -70,9 +70,9 @@ void addBay(Builders& b, const House& house, float s, float base, float top, Fil
   } else if (fill == Fill::kDark) {
     chamferBox(b.glass, {-h, low, z - 0.03f}, {h, high + 0.01f, z}, 0);
     for (const float x : {-h + 0.03f, 0.0f, h - 0.03f})
-      chamferBox(b.wood, {x - 0.03f, low, z - 0.01f}, {x + 0.03f, high, z + 0.04f}, 0.008f);
+      chamferBox(b.wood, {x - 0.03f, low, z - 0.01f}, {x + 0.03f, high, z + 0.04f}, 0);
     for (const float y : {low + 0.03f, glm::mix(low, high, 0.5f), high - 0.06f})
-      chamferBox(b.wood, {-h, y - 0.025f, z - 0.01f}, {h, y + 0.025f, z + 0.03f}, 0.008f);
+      chamferBox(b.wood, {-h, y - 0.025f, z - 0.01f}, {h, y + 0.025f, z + 0.03f}, 0);
   } else {  // the image's middle, as the cookie's middle falls into the window
     MeshBuilder& pane = fill == Fill::kLeaded ? b.leaded : b.paned;
     card(pane, {0, low, z}, {2 * h, 0, 0}, {0, high - low, 0}, {0, 0, 1}, {0.24f, 0.14f}, {0.76f, 0.86f});
@@ -89,10 +89,10 @@ void addShutters(MeshBuilder& wood, const House& house, float s, float base) {
     wood.frame = facing(house.side, house.z, house.forward) *
                  placed({s + side * (kHalf + 0.04f), 0, 0.03f}, side > 0 ? -0.35f : 0.35f) *
                  placed({side * 0.25f, 0, 0});
-    for (const float x : {-0.22f, 0.22f}) chamferBox(wood, {x - 0.03f, low, 0}, {x + 0.03f, high, 0.04f}, 0.006f);
+    for (const float x : {-0.22f, 0.22f}) chamferBox(wood, {x - 0.03f, low, 0}, {x + 0.03f, high, 0.04f}, 0);
     for (const float y : {low, 0.5f * (low + high), high - 0.06f})
       chamferBox(wood, {-0.22f, y, 0.002f}, {0.22f, y + 0.06f, 0.038f}, 0);
-    for (float y = low + 0.1f; y < high - 0.08f; y += 0.085f)
+    for (float y = low + 0.1f; y < high - 0.08f; y += 0.1f)
       beam(wood, {-0.2f, y, 0.02f}, {0.2f, y, 0.02f}, 0.045f, 0.012f, 0, glm::normalize(glm::vec3(0, 1, 0.9f)));
   }
 }

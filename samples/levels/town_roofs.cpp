@@ -50,7 +50,7 @@ void addRoofs(LevelBuilder& level, const Materials& m) {
              {top + kRise - slope * kEaves + 0.29f, -kMiddle + 0.03f});
     wood.frame = at;
     for (float s = -h + 0.15f; s < h; s += 0.6f)  // rafters' ends below the eaves
-      beam(wood, {s, top - slope * kEaves + 0.14f, kEaves - 0.04f}, {s, top + 0.16f, -0.1f}, 0.09f, 0.13f, 0.012f);
+      beam(wood, {s, top - slope * kEaves + 0.14f, kEaves - 0.04f}, {s, top + 0.16f, -0.1f}, 0.09f, 0.13f, 0);
     gutter.frame = at;
     tube(gutter,
          {{-h, top - slope * kEaves + 0.19f, kEaves + 0.06f}, {h, top - slope * kEaves + 0.19f, kEaves + 0.06f}},

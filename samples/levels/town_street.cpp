@@ -86,7 +86,7 @@ void addCart(LevelBuilder& level, const Materials& m) {
 void addStreet(LevelBuilder& level, const Materials& m) {
   MeshBuilder ground, kerb, outside;
   const float low = kGateZ - 14.0f, high = 22.0f;
-  surface(ground, 24, 90, {6.0f, high - low}, [&](float u, float v) {  // crowned, falling to the gutters
+  surface(ground, 8, 30, {6.0f, high - low}, [&](float u, float v) {  // crowned, falling to the gutters
     const float x = glm::mix(-3.0f, 3.0f, u);
     return glm::vec3(x, -0.006f * x * x, glm::mix(high, low, v));
   });

@@ -21,13 +21,16 @@ scene::Scene makeCage();
 /// A street at night, 45 m long: lamps, lit windows and the moon behind a gate tower.
 scene::Scene makeTown();
 
+/// A shed full of lattice, 24 m x 18 m x 7 m: chain link, girders and fans before a low sun, and two work lamps.
+scene::Scene makeLattice();
+
 /// Every level by its file's name.
 struct Sample {
   const char* name;
   scene::Scene (*make)();
 };
-inline constexpr Sample kSamples[] = {
-    {"hall", makeHall}, {"forest", makeForest}, {"vault", makeVault}, {"cage", makeCage}, {"town", makeTown}};
+inline constexpr Sample kSamples[] = {{"hall", makeHall}, {"forest", makeForest}, {"vault", makeVault},
+                                      {"cage", makeCage}, {"town", makeTown},     {"lattice", makeLattice}};
 
 /// How many triangles a frame that culls nothing draws: every mesh counted once per node that uses it.
 std::size_t instancedTriangles(const scene::Scene& scene);
