@@ -31,7 +31,7 @@ Materials addMaterials(LevelBuilder& level) {
 }
 
 void addCameras(LevelBuilder& level) {
-  level.camera("0 through the fence to the sun", {5.1f, 1.6f, 9.2f}, {2.9f, 3.1f, -12.0f}, 62, kFar);
+  level.camera("0 through the fence to the sun", {5.9f, 1.5f, 4.9f}, {3.0f, 3.2f, -12.0f}, 62, kFar);
   level.camera("1 along the fence", {1.05f, 1.6f, 5.6f}, {1.15f, 1.9f, -6.0f}, 64, kFar);
   level.camera("2 up in the tower", {-4.25f, 0.7f, -3.55f}, {-4.75f, 5.0f, -5.1f}, 76, kFar);
   const std::int32_t tour = level.camera("3 tour", {0, 2, 8}, {0, 2, 0}, 62, kFar);

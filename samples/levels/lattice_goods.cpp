@@ -57,7 +57,7 @@ void addTripod(LevelBuilder& level, const Materials& m, const glm::vec3& aim) {
   n.rotation = lookRotation(aim - kTripodLamp);
   n.mesh = level.mesh("work lamp", {head.finish(m.yellow), lens.finish(m.glass)});
   level.node(n);
-  level.spot("work lamp", kTripodLamp, aim, {1.0f, 0.90f, 0.74f}, 420.0f, 34.0f, 40.0f, 13.0f);
+  level.spot("work lamp", kTripodLamp, aim, {1.0f, 0.90f, 0.74f}, 300.0f, 34.0f, 40.0f, 13.0f);
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ TEST_P(File, WindingNormalsAndTangentsAgree) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, File, testing::Values("hall", "forest", "vault", "cage"));
+INSTANTIATE_TEST_SUITE_P(Levels, File, testing::Values("hall", "forest", "vault", "cage", "town", "lattice"));
 
 }  // namespace
 }  // namespace tyndall::levels

@@ -19,6 +19,6 @@ inline constexpr glm::vec3 kTower{-4.6f, 0.0f, -4.2f};  ///< middle of the latti
 inline constexpr float kTowerHalf = 1.05f;
 inline constexpr glm::vec3 kTowerLamp{-4.55f, 5.15f, -4.3f};
 inline constexpr glm::vec3 kTripodLamp{3.75f, 1.75f, -0.9f};
-inline constexpr float kSunElevation = 20.0f, kSunAzimuth = 14.0f;  ///< degrees; azimuth from -z towards +x
+inline constexpr float kSunElevation = 15.0f, kSunAzimuth = 7.0f;  ///< degrees; azimuth from -z towards +x
 
 }  // namespace tyndall::levels::lattice

@@ -11,7 +11,7 @@ inline constexpr float kStorey = 2.8f;   ///< of the floors above it
 inline constexpr float kBay = 2.7f;      ///< distance of the windows
 inline constexpr float kDepth = 4.0f;    ///< of the houses behind their faces
 inline constexpr float kGateZ = -22.0f;  ///< face of the gate tower at the street's end
-inline constexpr float kMoonElevation = 17.0f, kMoonAzimuth = 5.0f;  ///< degrees; azimuth from -z towards +x
+inline constexpr float kMoonElevation = 16.5f, kMoonAzimuth = 1.0f;  ///< degrees; azimuth from -z towards +x
 inline constexpr glm::vec3 kLanternHook{0.35f, 5.2f, -4.2f};         ///< on the rope across the street
 inline constexpr float kLanternDrop = 1.05f;                         ///< from the hook to the light
 
