@@ -51,7 +51,7 @@ scene::Scene makeLattice() {
   LevelBuilder level("lattice");
   const float elevation = glm::radians(kSunElevation), azimuth = glm::radians(kSunAzimuth);
   level.sun({glm::cos(elevation) * glm::sin(azimuth), glm::sin(elevation), -glm::cos(elevation) * glm::cos(azimuth)},
-            {1.0f, 0.76f, 0.48f}, 6.0f);
+            {1.0f, 0.76f, 0.48f}, 4.5f);
   addCameras(level);
   const Materials m = addMaterials(level);
   addShed(level, m);

@@ -15,15 +15,16 @@ void addCutout(MeshBuilder& chain, float length, float top) {
        {length / tile, (top - 0.05f) / tile});
 }
 
-/// The same of wire: each wire climbs in a zigzag and hooks into its neighbours'.
+/// The same of wire: each wire climbs in a zigzag, against its neighbours', so that they hook into one another.
 void addWires(MeshBuilder& wire, float length, float top) {
-  constexpr float kRadius = 0.0055f, half = 0.5f * kMesh;
-  const int wires = static_cast<int>(length / kMesh), steps = static_cast<int>((top - 0.05f) / half);
+  constexpr float kRadius = 0.008f, kStep = 0.5f * kMesh;
+  const int wires = static_cast<int>(length / kStep), steps = static_cast<int>((top - 0.05f) / kStep);
   for (int w = 0; w < wires; ++w) {
     std::vector<glm::vec3> path;
-    for (int k = 0; k <= steps; ++k)
-      path.emplace_back(kMesh * (real(w) + 0.5f) + half * (k % 2 == 0 ? -1.0f : 1.0f), 0.05f + half * real(k),
-                        0.004f * (k % 2 == 0 ? -1.0f : 1.0f));
+    for (int k = 0; k <= steps; ++k) {
+      const float side = (k + w) % 2 == 0 ? -1.0f : 1.0f;
+      path.emplace_back(kStep * (real(w) + 0.5f + 0.5f * side), 0.05f + kStep * real(k), 0.004f * side);
+    }
     tube(wire, path, std::vector<float>(path.size(), kRadius), 3);
   }
 }

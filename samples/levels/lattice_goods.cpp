@@ -57,7 +57,7 @@ void addTripod(LevelBuilder& level, const Materials& m, const glm::vec3& aim) {
   n.rotation = lookRotation(aim - kTripodLamp);
   n.mesh = level.mesh("work lamp", {head.finish(m.yellow), lens.finish(m.glass)});
   level.node(n);
-  level.spot("work lamp", kTripodLamp, aim, {1.0f, 0.90f, 0.74f}, 300.0f, 34.0f, 40.0f, 13.0f);
+  level.spot("work lamp", kTripodLamp, aim, {1.0f, 0.90f, 0.74f}, 620.0f, 34.0f, 40.0f, 13.0f);
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ void addGoods(LevelBuilder& level, const Materials& m) {
     n.name = "pallet";
     n.mesh = pallet;
     n.translation = i == 0   ? glm::vec3(-2.9f, 0.58f, -5.2f)
-                    : i == 1 ? glm::vec3(1.9f, 0.58f, -5.3f)
+                    : i == 1 ? glm::vec3(2.46f, 0.6f, 0.35f)
                              : glm::vec3(7.4f, 0.58f, -6.4f);
     n.rotation = glm::angleAxis(i == 2 ? 0.3f : glm::half_pi<float>(), glm::vec3(0, 1, 0)) *
                  glm::angleAxis(i == 0 ? -1.35f : 1.35f, glm::vec3(0, 0, 1));

@@ -10,6 +10,6 @@ inline constexpr int kDiamonds = 4;  ///< of the fence, along each side of its t
 
 Surface concrete();        ///< a floor with joints, cracks and oil, 4 m
 Surface sheet();           ///< corrugated steel, ribs along v, rust along its laps, 2 m
-scene::Image chainLink();  ///< wire 11 mm thick where a diamond is 110 mm wide: cut out, it tiles
+scene::Image chainLink();  ///< wire 16 mm thick where a diamond is 160 mm wide: cut out, it tiles
 
 }  // namespace tyndall::levels::lattice

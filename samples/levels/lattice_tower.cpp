@@ -50,7 +50,7 @@ void addTower(LevelBuilder& level, const Materials& m) {
   }
   lathe(bulb, {{0.004f, -0.10f}, {0.05f, -0.07f}, {0.07f, 0.0f}, {0.04f, 0.09f}, {0.03f, 0.13f}}, 14);
   level.single("tower lamp", {hood.finish(m.iron), bulb.finish(m.bulb)});
-  level.point("tower lamp", kTowerLamp, {0.78f, 0.90f, 1.0f}, 170.0f, 9.0f);
+  level.point("tower lamp", kTowerLamp, {0.78f, 0.90f, 1.0f}, 110.0f, 9.0f);
 }
 
 void addStairs(LevelBuilder& level, const Materials& m) {
