@@ -24,7 +24,7 @@ struct Lit {
 };
 constexpr Lit kLit[] = {{7, 1, 1, Fill::kLeaded, 900, 0.62f, 0.50f, {1.0f, 0.74f, 0.42f}},
                         {1, 1, 1, Fill::kPaned, 1000, 0.30f, 0.55f, {1.0f, 0.68f, 0.36f}},
-                        {3, 1, 1, Fill::kLeaded, 1700, 0.70f, 0.42f, {1.0f, 0.78f, 0.46f}}};
+                        {3, 1, 1, Fill::kLeaded, 1700, 0.52f, 0.42f, {1.0f, 0.78f, 0.46f}}};
 
 struct Builders {
   MeshBuilder face, reveal, wood, glass, leaded, paned, room, door;
