@@ -12,18 +12,6 @@ constexpr float kFar = 60.0f;  // metres: nothing of the closed room is farther 
 constexpr glm::vec4 kWhite{1};
 constexpr glm::vec3 kBounced{0.020f, 0.015f, 0.011f};  ///< the lamp's light, come back from brick and wood
 
-std::int32_t glowing(LevelBuilder& level, const std::string& name, const glm::vec4& color, const glm::vec3& light,
-                     scene::AlphaMode mode) {
-  scene::Material m;
-  m.name = name;
-  m.baseColor = color;
-  m.metallic = 0;
-  m.roughness = 0.4f;
-  m.emissive = light;
-  m.alphaMode = mode;
-  return level.material(m);
-}
-
 Materials addMaterials(LevelBuilder& level) {
   Materials m{};
   m.brick = {level.material("brick", cellar::brick(), kWhite, kBounced), cellar::kBrickTile};
@@ -37,9 +25,9 @@ Materials addMaterials(LevelBuilder& level) {
   m.rope = {m.sack.material, 0.15f};
   m.iron = level.plain("iron", {0.16f, 0.155f, 0.15f}, 0.55f, 0.6f);
   m.brass = level.plain("brass", {0.78f, 0.57f, 0.26f}, 0.35f, 1.0f);
-  m.bulb = glowing(level, "bulb", {1, 0.9f, 0.7f, 1}, {60.0f, 46.0f, 26.0f}, scene::AlphaMode::kBlend);
-  m.glass = glowing(level, "glass", {1, 0.9f, 0.75f, 0.22f}, {6.0f, 4.4f, 2.4f}, scene::AlphaMode::kBlend);
-  m.embers = glowing(level, "embers", {0.2f, 0.05f, 0.02f, 1}, {7.0f, 1.5f, 0.25f}, scene::AlphaMode::kOpaque);
+  m.bulb = level.glowing("bulb", {1, 0.9f, 0.7f, 1}, {60.0f, 46.0f, 26.0f}, 0.4f, scene::AlphaMode::kBlend);
+  m.glass = level.glowing("glass", {1, 0.9f, 0.75f, 0.22f}, {6.0f, 4.4f, 2.4f}, 0.4f, scene::AlphaMode::kBlend);
+  m.embers = level.glowing("embers", {0.2f, 0.05f, 0.02f, 1}, {7.0f, 1.5f, 0.25f}, 0.4f);
   return m;
 }
 

@@ -29,9 +29,10 @@ glm::vec3 onLoop(const std::vector<glm::vec3>& points, float at) {
 
 }  // namespace
 
-std::int32_t LevelBuilder::texture(scene::Image image, scene::Wrap wrap) {
+std::int32_t LevelBuilder::texture(scene::Image image, scene::Wrap wrap, bool mips) {
   scene::Texture t;
   t.image = append(scene_.images, std::move(image));
+  t.sampler.useMipmaps = mips;
   t.sampler.wrapU = t.sampler.wrapV = wrap;
   return append(scene_.textures, t);
 }
@@ -63,6 +64,45 @@ std::int32_t LevelBuilder::plain(const std::string& name, const glm::vec3& color
   return material(m);
 }
 
+std::int32_t LevelBuilder::glowing(const std::string& name, const glm::vec4& color, const glm::vec3& light,
+                                   float roughness, scene::AlphaMode mode) {
+  scene::Material m;
+  m.name = name;
+  m.baseColor = color;
+  m.metallic = 0;
+  m.roughness = roughness;
+  m.emissive = light;
+  m.alphaMode = mode;
+  return material(m);
+}
+
+std::int32_t LevelBuilder::pane(const std::string& name, std::int32_t picture, const glm::vec3& light) {
+  scene::Material m;
+  m.name = name;
+  m.metallic = 0;
+  m.roughness = 0.2f;
+  m.baseColor = {0.05f, 0.05f, 0.05f, 1};
+  m.alphaMode = scene::AlphaMode::kBlend;
+  m.doubleSided = true;
+  m.emissive = light;
+  m.baseColorTexture.texture = m.emissiveTexture.texture = picture;
+  return material(m);
+}
+
+std::int32_t LevelBuilder::cutout(const std::string& name, std::int32_t picture, const glm::vec3& tint, float roughness,
+                                  float metallic) {
+  scene::Material m;
+  m.name = name;
+  m.baseColor = glm::vec4(tint, 1);
+  m.metallic = metallic;
+  m.roughness = roughness;
+  m.alphaMode = scene::AlphaMode::kMask;
+  m.alphaCutoff = 0.5f;
+  m.doubleSided = true;
+  m.baseColorTexture.texture = picture;
+  return material(m);
+}
+
 std::int32_t LevelBuilder::mesh(const std::string& name, std::vector<scene::Primitive> primitives) {
   std::erase_if(primitives, [](const scene::Primitive& p) { return p.indices.empty(); });
   return append(scene_.meshes, scene::Mesh{name, std::move(primitives)});
@@ -86,13 +126,13 @@ void LevelBuilder::single(const std::string& name, std::vector<scene::Primitive>
   node(name, mesh(name, std::move(primitives)));
 }
 
-void LevelBuilder::sun(const glm::vec3& toSun, const glm::vec3& color, float lux) {
+void LevelBuilder::sun(const glm::vec3& toSun, const glm::vec3& color, float lux, const std::string& name) {
   scene::Light light;
-  light.name = "sun";
+  light.name = name;
   light.color = color;
   light.intensity = lux;
   scene::Node n;
-  n.name = "sun";
+  n.name = name;
   n.light = append(scene_.lights, light);
   n.rotation = lookRotation(-toSun);
   node(n);

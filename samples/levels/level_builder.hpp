@@ -13,7 +13,7 @@ class LevelBuilder {
  public:
   explicit LevelBuilder(const std::string& name) { scene_.name = name; }
 
-  std::int32_t texture(scene::Image image, scene::Wrap wrap = scene::Wrap::kRepeat);
+  std::int32_t texture(scene::Image image, scene::Wrap wrap = scene::Wrap::kRepeat, bool mips = true);
   std::int32_t material(scene::Material material);
   /// An opaque dielectric with the surface's colour, normals and roughness.
   /// `bounced`: light that comes back from all around, as radiance of a white surface; a level without a sky bakes it
@@ -22,6 +22,17 @@ class LevelBuilder {
                         const glm::vec3& bounced = glm::vec3(0));
   /// A material without textures.
   std::int32_t plain(const std::string& name, const glm::vec3& color, float roughness, float metallic = 0);
+  /// A dielectric without textures that shines: `light` is its radiance.
+  std::int32_t glowing(const std::string& name, const glm::vec4& color, const glm::vec3& light, float roughness,
+                       scene::AlphaMode mode = scene::AlphaMode::kOpaque);
+  /// A pane with a picture, lit from behind: what it lets through of `light` is its emission. Blended, so it neither
+  /// casts a shadow nor ends a view ray.
+  std::int32_t pane(const std::string& name, std::int32_t picture, const glm::vec3& light);
+  /// A picture cut out along its alpha, seen from both sides.
+  std::int32_t cutout(const std::string& name, std::int32_t picture, const glm::vec3& tint, float roughness,
+                      float metallic = 0);
+
+  const scene::Material& materialAt(std::int32_t material) const { return scene_.materials[material]; }
 
   std::int32_t mesh(const std::string& name, std::vector<scene::Primitive> primitives);
   std::int32_t node(scene::Node node);
@@ -31,7 +42,7 @@ class LevelBuilder {
   void single(const std::string& name, std::vector<scene::Primitive> primitives);
 
   /// `toSun`: direction from the level to the sun.
-  void sun(const glm::vec3& toSun, const glm::vec3& color, float lux);
+  void sun(const glm::vec3& toSun, const glm::vec3& color, float lux, const std::string& name = "sun");
   /// A lamp: candela, and how far it reaches in metres. Returns the node.
   std::int32_t point(const std::string& name, const glm::vec3& at, const glm::vec3& color, float candela, float range,
                      std::int32_t parent = scene::kNone);

@@ -15,16 +15,6 @@ constexpr glm::vec4 kWhite{1};
 /// around, over pi.
 constexpr glm::vec3 kBounced{0.050f, 0.046f, 0.044f};
 
-std::int32_t emissive(LevelBuilder& level, const std::string& name, const glm::vec3& color, const glm::vec3& light) {
-  scene::Material m;
-  m.name = name;
-  m.baseColor = glm::vec4(color, 1);
-  m.metallic = 0;
-  m.roughness = 0.6f;
-  m.emissive = light;
-  return level.material(m);
-}
-
 Materials addMaterials(LevelBuilder& level, std::int32_t rose) {
   Materials m{};
   m.rubble = {level.material("rubble", cellar::rubble(), kWhite, kBounced), cellar::kRubbleTile};
@@ -39,18 +29,9 @@ Materials addMaterials(LevelBuilder& level, std::int32_t rose) {
   m.iron = level.plain("iron", {0.16f, 0.155f, 0.15f}, 0.55f, 0.6f);
   m.brass = level.plain("brass", {0.78f, 0.57f, 0.26f}, 0.35f, 1.0f);
   m.wax = level.plain("wax", {0.82f, 0.75f, 0.58f}, 0.5f);
-  m.flame = emissive(level, "flame", {1, 0.8f, 0.4f}, {9.0f, 4.6f, 1.4f});
-  m.bulb = emissive(level, "bulb", {1, 1, 1}, {30.0f, 27.0f, 22.0f});
-  scene::Material glass;  // lit from behind: what it lets through is its emission
-  glass.name = "rose window";
-  glass.metallic = 0;
-  glass.roughness = 0.2f;
-  glass.baseColor = {0.05f, 0.05f, 0.05f, 1};
-  glass.alphaMode = scene::AlphaMode::kBlend;
-  glass.doubleSided = true;
-  glass.emissive = glm::vec3(2.2f);
-  glass.baseColorTexture.texture = glass.emissiveTexture.texture = rose;
-  m.rose = level.material(glass);
+  m.flame = level.glowing("flame", {1, 0.8f, 0.4f, 1}, {9.0f, 4.6f, 1.4f}, 0.6f);
+  m.bulb = level.glowing("bulb", {1, 1, 1, 1}, {30.0f, 27.0f, 22.0f}, 0.6f);
+  m.rose = level.pane("rose window", rose, glm::vec3(2.2f));
   return m;
 }
 

@@ -98,7 +98,7 @@ TEST_F(Describe, TextNamesEveryParameter) {
 TEST_F(Describe, LevelsAreTheSamples) {
   const Outcome outcome = tyndall({"levels"});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(outcome.out, "cage\nforest\nhall\nterrain\ntower\nvault\n");
+  EXPECT_EQ(outcome.out, "cage\nforest\nhall\nlattice\nterrain\ntower\ntown\nvault\n");
 }
 
 // What is fastest on a device is known once a frame was rendered with it, and described from then on.

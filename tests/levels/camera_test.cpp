@@ -1,4 +1,6 @@
 // What the cameras see, and where the sun stands to them: the levels are there to try the epipole in every place.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "levels/levels.hpp"
@@ -72,6 +74,34 @@ TEST(Cameras, OfTheTowerSeeGeometry) { expectCamerasSeeGeometry(Views(makeTower(
 
 TEST(Cameras, OfTheVaultSeeItsWalls) { expectCamerasSeeGeometry(Views(makeVault()), 1.0f); }
 TEST(Cameras, OfTheCageSeeItsWalls) { expectCamerasSeeGeometry(Views(makeCage()), 1.0f); }
+
+// A strip of sky stands between the eaves.
+TEST(Cameras, OfTheTownSeeGeometry) { expectCamerasSeeGeometry(Views(makeTown()), 0.7f); }
+TEST(Cameras, OfTheLatticeSeeGeometry) { expectCamerasSeeGeometry(Views(makeLattice()), 0.95f); }
+
+TEST(Cameras, OfTheTownTryItsLantern) {
+  const Views town(makeTown());
+  const auto lantern = std::find_if(town.lights.begin(), town.lights.end(), [](const scene::LightView& light) {
+    return light.light.kind == scene::LightKind::kPoint;
+  });
+  ASSERT_NE(lantern, town.lights.end());
+  for (const int camera : {0, 1, 2}) EXPECT_TRUE(Views::inside(town.onScreen(camera, lantern->position))) << camera;
+  EXPECT_TRUE(Views::inside(town.onScreen(0, 1)));  // the moon, behind the tower
+  EXPECT_TRUE(blocked(trianglesOf(town.scene), town.eye(0), town.toSun));
+}
+
+TEST(Cameras, OfTheLatticeTryEveryLightOnTheScreen) {
+  const Views lattice(makeLattice());
+  ASSERT_EQ(lattice.lights.size(), 3u);
+  EXPECT_TRUE(Views::inside(lattice.onScreen(0, 1)));
+  const auto at = [&](scene::LightKind kind) {
+    for (const scene::LightView& light : lattice.lights)
+      if (light.light.kind == kind) return light.position;
+    return glm::vec3(0);
+  };
+  EXPECT_TRUE(Views::inside(lattice.onScreen(1, at(scene::LightKind::kSpot))));
+  EXPECT_TRUE(Views::inside(lattice.onScreen(2, at(scene::LightKind::kPoint))));
+}
 
 TEST(Cameras, TryLampsOffAndOnTheScreen) {
   const Views vault(makeVault()), cage(makeCage());

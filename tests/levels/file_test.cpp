@@ -125,7 +125,7 @@ TEST_P(File, WindingNormalsAndTangentsAgree) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, File, testing::Values("hall", "forest", "vault", "cage", "terrain", "tower"));
+INSTANTIATE_TEST_SUITE_P(Levels, File, testing::Values("hall", "forest", "vault", "cage", "terrain", "tower", "town", "lattice"));
 
 }  // namespace
 }  // namespace tyndall::levels

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "levels/cage_plan.hpp"
+#include "levels/lattice_plan.hpp"
 #include "levels/levels.hpp"
+#include "levels/town_plan.hpp"
 #include "levels/vault_plan.hpp"
 #include "triangles.hpp"
 
@@ -174,6 +176,68 @@ TEST(CageLamps, TheStoveLetsItsLightOutBetweenItsBarsOnly) {
   const float share = passing(stove, lights[1].position, 1.2f, [&] { return random.direction(); });
   EXPECT_GT(share, 0.02f);
   EXPECT_LT(share, 0.25f);
+}
+
+TEST(TownLamps, AreManyOfEveryKindWithinTheirRanges) {
+  const auto lights = lightsOf(makeTown());
+  ASSERT_EQ(lights.size(), 9u);
+  int suns = 0, points = 0, spots = 0, cookies = 0;
+  for (const scene::LightView& view : lights) {
+    suns += view.light.kind == scene::LightKind::kDirectional ? 1 : 0;
+    points += view.light.kind == scene::LightKind::kPoint ? 1 : 0;
+    spots += view.light.kind == scene::LightKind::kSpot ? 1 : 0;
+    cookies += view.light.cookie ? 1 : 0;
+    if (view.light.kind == scene::LightKind::kDirectional) continue;
+    ASSERT_TRUE(view.light.range);
+    EXPECT_LE(*view.light.range, 15.0f);  // so that a frame may skip those out of reach
+  }
+  EXPECT_EQ(suns, 1);
+  EXPECT_EQ(points, 1);
+  EXPECT_EQ(spots, 7);
+  EXPECT_EQ(cookies, 3);
+}
+
+/// A window's light stands in its room, and its axis passes the window into the street.
+TEST(TownLamps, WindowsShineIntoTheStreet) {
+  const scene::Scene scene = makeTown();
+  const std::vector<Triangle> triangles = trianglesOf(scene);
+  for (const scene::LightView& view : lightsOf(scene)) {
+    if (!view.light.cookie) continue;
+    EXPECT_GT(glm::abs(view.position.x), town::kFront + 1.0f);
+    const std::optional<float> hit = nearest(triangles, view.position, view.direction);
+    ASSERT_TRUE(hit);
+    EXPECT_LT(glm::abs((view.position + 3.0f * view.direction).x), town::kFront);
+    EXPECT_GT(*hit, 3.0f) << view.position.x << ' ' << view.position.y << ' ' << view.position.z;
+    EXPECT_LT(*hit, *view.light.range);
+  }
+}
+
+/// Wires take about a fifth of the lamp's light, each a shadow of its own: along a level line light and shade take
+/// turns twice a diamond. The line runs half way between the wires' bends.
+TEST(LatticeLamps, TheTripodsLightIsCutByWire) {
+  const scene::Scene scene = makeLattice();
+  const auto lights = lightsOf(scene);
+  const auto lamp = std::find_if(lights.begin(), lights.end(), [](const scene::LightView& view) {
+    return view.light.kind == scene::LightKind::kSpot;
+  });
+  ASSERT_NE(lamp, lights.end());
+  // Cut-out panels count as whole here: real wire only, between the posts of the panels before the lamp.
+  std::vector<Triangle> wires = trianglesOf(scene, 0, named({"fence"}));
+  std::erase_if(wires, [](const Triangle& t) { return glm::length(t.edge1) > 0.5f || glm::length(t.edge2) > 0.5f; });
+  int falls = 0, shaded = 0;
+  bool before = false;
+  constexpr int kSteps = 6000;
+  for (int i = 0; i < kSteps; ++i) {
+    const float z = -0.5f + static_cast<float>(i) / kSteps;  // one metre of the fence
+    const bool now =
+        blocked(wires, lamp->position, glm::normalize(glm::vec3(lattice::kCageX, 1.5075f, z) - lamp->position));
+    falls += now && !before ? 1 : 0;
+    shaded += now ? 1 : 0;
+    before = now;
+  }
+  EXPECT_NEAR(falls, 2.0f / lattice::kMesh, 3.0f);
+  EXPECT_GT(shaded, kSteps / 10);
+  EXPECT_LT(shaded, kSteps / 2);
 }
 
 }  // namespace

@@ -67,6 +67,8 @@ TEST(Life, TheHallsTourIsClear) { expectClearTour(makeHall()); }
 TEST(Life, TheForestsTourIsClear) { expectClearTour(makeForest()); }
 TEST(Life, TheVaultsTourIsClear) { expectClearTour(makeVault()); }
 TEST(Life, TheCagesTourIsClear) { expectClearTour(makeCage()); }
+TEST(Life, TheTownsTourIsClear) { expectClearTour(makeTown()); }
+TEST(Life, TheLatticesTourIsClear) { expectClearTour(makeLattice()); }
 
 TEST(Life, TheTerrainsTourIsClear) { expectClearTour(makeTerrain()); }
 TEST(Life, TheTowersTourIsClear) { expectClearTour(makeTower()); }

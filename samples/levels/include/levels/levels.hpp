@@ -24,13 +24,19 @@ scene::Scene makeTerrain();
 /// A bell tower before a low sun, 5.4 m x 5.4 m x 28 m, openwork and scaffolding, on a village's square.
 scene::Scene makeTower();
 
+/// A street at night, 45 m long: lamps, lit windows and the moon behind a gate tower.
+scene::Scene makeTown();
+
+/// A shed full of lattice, 24 m x 18 m x 7 m: chain link, girders and fans before a low sun, and two work lamps.
+scene::Scene makeLattice();
+
 /// Every level by its file's name.
 struct Sample {
   const char* name;
   scene::Scene (*make)();
 };
-inline constexpr Sample kSamples[] = {{"hall", makeHall}, {"forest", makeForest},   {"vault", makeVault},
-                                      {"cage", makeCage}, {"terrain", makeTerrain}, {"tower", makeTower}};
+inline constexpr Sample kSamples[] = {{"hall", makeHall},       {"forest", makeForest}, {"vault", makeVault}, {"cage", makeCage},
+                                      {"terrain", makeTerrain}, {"tower", makeTower},   {"town", makeTown},   {"lattice", makeLattice}};
 
 /// How many triangles a frame that culls nothing draws: every mesh counted once per node that uses it.
 std::size_t instancedTriangles(const scene::Scene& scene);
