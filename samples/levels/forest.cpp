@@ -20,11 +20,10 @@ Materials addMaterials(LevelBuilder& level) {
   m.planks = level.material("weathered planks", planks());
   // Cut-outs do not tile: the edge's filtering must not reach round to the other side.
   const std::int32_t twig = level.texture(leafyTwig(), scene::Wrap::kClampToEdge);
-  m.leaves = level.cutout("leaves", twig, {1, 1, 1}, kLeafRough);
-  m.paleLeaves = level.cutout("birch leaves", twig, {1.0f, 0.95f, 0.55f}, kLeafRough);
-  m.needles = level.cutout("needles", level.texture(spruceFrond(), scene::Wrap::kClampToEdge), {1, 1, 1}, kLeafRough);
-  m.undergrowth =
-      level.cutout("undergrowth", level.texture(undergrowth(), scene::Wrap::kClampToEdge), {1, 1, 1}, kLeafRough);
+  m.leaves = foliage(level, "leaves", twig, {1, 1, 1});
+  m.paleLeaves = foliage(level, "birch leaves", twig, {1.0f, 0.95f, 0.55f});
+  m.needles = foliage(level, "needles", level.texture(spruceFrond(), scene::Wrap::kClampToEdge), {1, 1, 1});
+  m.undergrowth = foliage(level, "undergrowth", level.texture(undergrowth(), scene::Wrap::kClampToEdge), {1, 1, 1});
   m.water = level.plain("water", {0.018f, 0.026f, 0.022f}, 0.08f);
   return m;
 }

@@ -7,16 +7,7 @@
 namespace tyndall::levels {
 
 std::int32_t foliage(LevelBuilder& level, const std::string& name, std::int32_t texture, const glm::vec3& tint) {
-  scene::Material m;
-  m.name = name;
-  m.baseColor = glm::vec4(tint, 1);
-  m.metallic = 0;
-  m.roughness = 0.9f;  // bent normals would make grazing light glitter on anything smoother
-  m.alphaMode = scene::AlphaMode::kMask;
-  m.alphaCutoff = 0.5f;
-  m.doubleSided = true;
-  m.baseColorTexture.texture = texture;
-  return level.material(m);
+  return level.cutout(name, texture, tint, 0.9f);  // bent normals would make grazing light glitter on anything smoother
 }
 
 void grassTuft(MeshBuilder& b, Random& random, const glm::vec3& at, const glm::vec3& normal, float size,
