@@ -32,6 +32,8 @@ void Reference::start(ResearchContext& context) {
   wanted_ = context.shot;
   madeKind_ = kind;
   made_.reset();
+  metrics_.reset();  // figures without their reference mean nothing
+  ++version_;
   const bool coarse = std::min(wanted_->width, wanted_->height) / kCoarseDivisor >= kLeastCoarseSide;
   startSize(context, coarse ? kCoarseDivisor : 1);
 }
