@@ -21,6 +21,11 @@ bool Reference::comparable() const {
          current_->scatter.height == truth->scatter.height;
 }
 
+const std::optional<image::ErrorMetrics>& Reference::metrics() const {
+  static const std::optional<image::ErrorMetrics> none;
+  return comparable() ? metrics_ : none;
+}
+
 bool Reference::valid(const ResearchContext& context) const {
   const ScatterPicture* truth = source();
   return truth && truth->shot.sameTruth(context.shot.scaledTo(truth->shot.width, truth->shot.height));
