@@ -58,7 +58,16 @@ void PlotPanel::measureNext(ResearchContext& context, Reference& reference) {
     return;
   }
   if (!reference.full(context)) {
-    if (!reference.active()) reference.start(context);
+    if (reference.active()) return;
+    // Asked for once: what cannot be made would fail again in every frame, and a stored picture is never made.
+    if (referenceAsked_ || reference.kind == ReferenceKind::kStored) {
+      measuring_ = false;
+      if (reference.kind == ReferenceKind::kStored)
+        context.workspace.tell("plot: the stored picture is of another view or size; choose rays or a march", true);
+      return;
+    }
+    referenceAsked_ = true;
+    reference.start(context);
     return;
   }
   const auto next = std::find_if(entries_.begin(), entries_.end(),
@@ -120,7 +129,7 @@ void PlotPanel::draw(ResearchContext& context, Reference& reference) {
       ImGui::SameLine();
       ImGui::TextUnformatted(running(job_) ? ("measuring " + job_->label).c_str() : "the reference comes first");
     } else {
-      if (ImGui::Button("measure all techniques")) fill(context), measuring_ = true;
+      if (ImGui::Button("measure all techniques")) fill(context), measuring_ = true, referenceAsked_ = false;
       workspace.place("plot measure");
       ImGui::SameLine();
       if (ImGui::Button("add the present settings")) {
@@ -128,6 +137,7 @@ void PlotPanel::draw(ResearchContext& context, Reference& reference) {
         entries_.push_back(
             {context.session.catalogue().techniqueName() + " +", context.shot.values, true, false, {}, {}});
         measuring_ = true;
+        referenceAsked_ = false;
       }
       workspace.place("plot add");
       ImGui::SameLine();

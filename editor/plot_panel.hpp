@@ -37,6 +37,7 @@ class PlotPanel {
   JobPointer job_;
   std::uint32_t run_ = 0;  ///< grows with each list of entries: results of earlier ones are dropped
   bool measuring_ = false;
+  bool referenceAsked_ = false;  ///< in this measurement
   int repeats_ = 3;
 };
 

@@ -21,6 +21,11 @@ bool Reference::comparable() const {
          current_->scatter.height == truth->scatter.height;
 }
 
+const std::optional<image::ErrorMetrics>& Reference::metrics() const {
+  static const std::optional<image::ErrorMetrics> none;
+  return comparable() ? metrics_ : none;
+}
+
 bool Reference::valid(const ResearchContext& context) const {
   const ScatterPicture* truth = source();
   return truth && truth->shot.sameTruth(context.shot.scaledTo(truth->shot.width, truth->shot.height));
@@ -32,6 +37,8 @@ void Reference::start(ResearchContext& context) {
   wanted_ = context.shot;
   madeKind_ = kind;
   made_.reset();
+  metrics_.reset();  // figures without their reference mean nothing
+  ++version_;
   const bool coarse = std::min(wanted_->width, wanted_->height) / kCoarseDivisor >= kLeastCoarseSide;
   startSize(context, coarse ? kCoarseDivisor : 1);
 }

@@ -37,7 +37,8 @@ class Reference {
   const ScatterPicture* truth() const { return comparable() ? source() : nullptr; }
   /// What there is to compare with, whether something is compared with it or not; null: nothing.
   const ScatterPicture* source() const;
-  const std::optional<image::ErrorMetrics>& metrics() const { return metrics_; }
+  /// Of picture() against truth(); empty whenever these are null.
+  const std::optional<image::ErrorMetrics>& metrics() const;
   double effectMs() const { return effectMs_; }
   std::uint32_t version() const { return version_; }  ///< grows whenever one of the pictures is another
   bool valid(const ResearchContext& context) const;   ///< the reference is of the present view

@@ -141,6 +141,10 @@ TEST_F(ResearchTest, ReferenceAndPlotAgreeWithTheCommandLine) {
   click("reference samples 64");
   ASSERT_FALSE(waitForFact("reference samples", "64", 30).is_null());
   click("reference start");
+  ASSERT_FALSE(waitFor([](const Json& s) { return !fact(s, "error").empty(); }).is_null()) << state().dump();
+  if (state()["widgets"].contains("reference cancel")) click("reference cancel");
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["widgets"].contains("reference start"); }, 30).is_null());
+  click("reference start");  // anew, while the figures of the last stand
   const Json done = waitFor([&](const Json& s) {
     const auto error = numbers(fact(s, "error"));
     return fact(s, "reference made") == "full" && fact(s, "background") == "idle" && !error.empty() &&
