@@ -5,6 +5,7 @@
 
 #include "app/level.hpp"
 #include "app/values.hpp"
+#include "app/presets.hpp"
 #include "base/file.hpp"
 
 namespace tyndall::editor {
@@ -114,9 +115,11 @@ Result<std::unique_ptr<app::Catalogue>> loadCatalogue(const Options& options) {
   if (!catalogue) return catalogue;
   params::Table& table = (*catalogue)->table();
   if (!options.preset.empty()) {
-    auto text = readText(options.preset, 1u << 20);  // a preset is a page of text; 1 MiB is generous
+    auto file = app::findPreset(options.preset);
+    if (!file) return file.error();
+    auto text = readText(*file, 1u << 20);  // a preset is a page of text; 1 MiB is generous
     if (!text) return Error{"--preset " + text.error().message, text.error().kind};
-    if (auto read = table.readPreset(*text, options.preset.string()); !read) return Error{"--preset " + read.error().message, read.error().kind};
+    if (auto read = table.readPreset(*text, file->string()); !read) return Error{"--preset " + read.error().message, read.error().kind};
   }
   for (const std::string& assignment : options.assignments)
     if (auto set = table.setAssignment(assignment); !set) return Error{"--set " + set.error().message, set.error().kind};

@@ -23,6 +23,8 @@ struct Given {
   std::vector<std::string> levels, compare;
   std::string sweep = "quick", repetitions, report;
   bool fresh = false;
+  std::vector<std::string> cameras;
+  std::string budget, maxError;
 };
 
 void addLevel(CLI::App& command, Given& given) {
@@ -76,6 +78,17 @@ void addBench(CLI::App& command, Given& given) {
   command.add_option("--plugin-dir", given.plugins, "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")->type_name("DIR");
   command.add_option("--compare", given.compare, "a table of the ratios of two results.json, instead of measuring")->type_name("A.json B.json")->expected(2);
   command.add_option("--report", given.report, "makes the report of a results.json again, instead of measuring")->type_name("RESULTS.json");
+}
+
+void addTune(CLI::App& command, Given& given) {
+  addLevel(command, given);
+  command.add_option("--max-error", given.maxError, "finds the cheapest settings whose nRMSE against the ray-traced truth is at most this")->type_name("X");
+  command.add_option("--budget-ms", given.budget, "finds the least error within so many milliseconds of GPU time")->type_name("X");
+  command.add_option("--camera", given.cameras, "a view that counts; repeatable [all of the file's cameras]")->type_name("N")->expected(1)->take_all()->allow_extra_args(false);
+  command.add_option("--size", given.size, "size of the pictures that are timed [1280x720]")->type_name("WxH");
+  command.add_option("--out", given.out, "the preset; else it goes to standard output")->type_name("PRESET.json");
+  command.add_option("--device", given.device, "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")->type_name("TEXT");
+  command.add_option("--plugin-dir", given.plugins, "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")->type_name("DIR");
 }
 
 /// An error for the first argument that nothing took, or success.
@@ -165,6 +178,26 @@ Result<Options> readBench(const Given& given, bool sized) {
   return Options(std::move(options));
 }
 
+Result<Options> readTune(const Given& given) {
+  TuneOptions options;
+  if (given.level.empty()) return badCall("LEVEL is missing; a sample's name (see: tyndall levels) or a path to a .gltf or .glb file is needed");
+  options.level = given.level;
+  for (const std::string& text : given.cameras) {
+    auto camera = readCount("--camera", text, 0, 1'000'000);
+    if (!camera) return camera.error();
+    options.cameras.push_back(*camera);
+  }
+  auto size = readSize("--size", given.size);
+  if (!size) return size.error();
+  options.size = *size;
+  if (given.budget.empty() == given.maxError.empty()) return badCall("tune: one of --max-error X and --budget-ms X is needed");
+  auto bound = given.budget.empty() ? readPositive("--max-error", given.maxError) : readPositive("--budget-ms", given.budget);
+  if (!bound) return bound.error();
+  (given.budget.empty() ? options.maxError : options.budgetMs) = *bound;
+  options.out = given.out, options.device = given.device, options.pluginFolder = given.plugins;
+  return Options(std::move(options));
+}
+
 }  // namespace
 
 Result<Options> readOptions(int argc, const char* const* argv) try {
@@ -186,7 +219,8 @@ Result<Options> readOptions(int argc, const char* const* argv) try {
   edit.prefix_command();
   CLI::App& bench = *app.add_subcommand("bench", "measures run time against error");
   addBench(bench, given);
-  CLI::App& tune = *app.add_subcommand("tune", "searches settings for a budget (not built yet)");
+  CLI::App& tune = *app.add_subcommand("tune", "searches the cheapest settings under an error, or the best within a time");
+  addTune(tune, given);
   for (CLI::App* command : {&render, &truth, &describe, &levels, &bench, &tune}) command->allow_extras();
 
   try {
@@ -211,11 +245,11 @@ Result<Options> readOptions(int argc, const char* const* argv) try {
   }
   const CLI::App& command = *chosen.front();
   if (&command == &edit) return Options(EditOptions{edit.remaining()});
-  if (&command == &tune) return Options(NotBuiltOptions{command.get_name()});
   if (auto extras = refuseExtras(command); !extras) return extras.error();
   if (auto empty = refuseEmpty(command); !empty) return empty.error();
   if (&command == &render) return readRender(given);
   if (&command == &truth) return readTruth(given);
+  if (&command == &tune) return readTune(given);
   if (&command == &bench) return readBench(given, bench.get_option("--size")->count() > 0);
   if (&command == &describe) return Options(DescribeOptions{given.json, given.plugins, given.device});
   return Options(LevelsOptions{});

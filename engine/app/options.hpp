@@ -49,11 +49,10 @@ struct DescribeOptions {
 };
 struct LevelsOptions {};
 struct EditOptions { std::vector<std::string> arguments; };
-struct NotBuiltOptions { std::string command; };
 /// Help or version: text for stdout, then exit status 0.
 struct TextOptions { std::string text; };
 
-using Options = std::variant<RenderOptions, TruthOptions, DescribeOptions, LevelsOptions, EditOptions, BenchOptions, NotBuiltOptions, TextOptions>;
+using Options = std::variant<RenderOptions, TruthOptions, DescribeOptions, LevelsOptions, EditOptions, BenchOptions, TuneOptions, TextOptions>;
 
 Result<Options> readOptions(int argc, const char* const* argv);
 

@@ -1,5 +1,7 @@
 #include "settings.hpp"
 
+#include "app/presets.hpp"
+
 #include <cstdio>
 #include <cstring>
 #include <cerrno>
@@ -13,9 +15,11 @@ Result<std::unique_ptr<Catalogue>> loadSettings(const SettingsOptions& options) 
   if (!catalogue) return catalogue;
   params::Table& table = (*catalogue)->table();
   if (!options.preset.empty()) {
-    auto text = readText(options.preset, 1u << 20);  // a preset is a page of text; 1 MiB is generous
+    auto file = findPreset(options.preset);
+    if (!file) return file.error();
+    auto text = readText(*file, 1u << 20);  // a preset is a page of text; 1 MiB is generous
     if (!text) return Error{"--preset " + text.error().message, text.error().kind};
-    if (auto read = table.readPreset(*text, options.preset.string()); !read) return Error{"--preset " + read.error().message, read.error().kind};
+    if (auto read = table.readPreset(*text, file->string()); !read) return Error{"--preset " + read.error().message, read.error().kind};
   }
   for (const std::string& assignment : options.assignments)
     if (auto set = table.setAssignment(assignment); !set) return Error{"--set " + set.error().message, set.error().kind};

@@ -20,9 +20,7 @@ Result<void> run(const Options& options) {
     Result<void> operator()(const EditOptions& o) { return runEdit(o); }
     Result<void> operator()(const BenchOptions& o) { return runBench(o); }
     Result<void> operator()(const TextOptions& o) { return print(o.text); }
-    Result<void> operator()(const NotBuiltOptions& o) {
-      return badCall(o.command + ": not built yet; bench measures many settings, each with its error");
-    }
+    Result<void> operator()(const TuneOptions& o) { return runTune(o); }
   };
   return std::visit(Visitor{}, options);
 }

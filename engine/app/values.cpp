@@ -47,4 +47,12 @@ Result<double> readSeconds(const std::string& option, const std::string& text) {
   return value;
 }
 
+Result<double> readPositive(const std::string& option, const std::string& text) {
+  double value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value) || value <= 0)
+    return badCall(option + " '" + text + "': must be a number above 0");
+  return value;
+}
+
 }  // namespace tyndall::app

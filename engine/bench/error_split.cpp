@@ -66,6 +66,16 @@ bool insidePicture(const std::vector<glm::vec2>& places, Size size) {
   });
 }
 
+image::FloatImage onSameSurface(const image::FloatImage& picture, const image::FloatImage& reference) {
+  image::FloatImage result = picture;
+  if (picture.width != reference.width || picture.height != reference.height || picture.channels != 4 || reference.channels != 4) return result;
+  for (std::uint32_t y = 0; y < picture.height; ++y)
+    for (std::uint32_t x = 0; x < picture.width; ++x)
+      if (std::abs(picture.at(x, y, 3) - reference.at(x, y, 3)) > kOtherSurface)
+        for (std::uint32_t c = 0; c < 4; ++c) result.at(x, y, c) = reference.at(x, y, c);
+  return result;
+}
+
 Result<SplitErrors> splitErrors(const image::FloatImage& picture, const image::FloatImage& reference, const std::vector<float>& distance,
                                 const std::vector<glm::vec2>& lights) {
   const std::uint32_t width = reference.width, height = reference.height;

@@ -29,17 +29,25 @@ class Reader : public nlohmann::json_sax<Json> {
   std::vector<Entry> entries;
   std::optional<Error> error;
 
-  bool null() override { return wrongValue("null"); }
+  bool null() override { return skipped_ > 0 || wrongValue("null"); }
   bool boolean(bool value) override { return entry({key_, Entry::Kind::kBool, value ? 1.0 : 0.0, ""}); }
   bool number_integer(number_integer_t value) override { return numberEntry(static_cast<double>(value)); }
   bool number_unsigned(number_unsigned_t value) override { return numberEntry(static_cast<double>(value)); }
   bool number_float(number_float_t value, const string_t&) override { return numberEntry(value); }
   bool string(string_t& value) override { return entry({key_, Entry::Kind::kText, 0, value}); }
   bool binary(binary_t&) override { return wrongValue("binary data"); }
-  bool start_array(std::size_t) override { return wrongValue("a list"); }
-  bool end_array() override { return true; }
+  bool start_array(std::size_t) override {
+    if (skipped_ == 0) return wrongValue("a list");
+    ++skipped_;
+    return true;
+  }
+  bool end_array() override { return endSkipped(); }
 
   bool start_object(std::size_t) override {
+    if (skipped_ > 0 || (depth_ == 1 && key_ == "evidence")) {
+      ++skipped_;
+      return true;
+    }
     if (depth_ == 0 || (depth_ == 1 && key_ == "settings")) {
       ++depth_;
       key_.clear();
@@ -48,11 +56,13 @@ class Reader : public nlohmann::json_sax<Json> {
     return wrongValue("an object");
   }
   bool end_object() override {
+    if (skipped_ > 0) return endSkipped();
     --depth_;
     key_.clear();
     return true;
   }
   bool key(string_t& value) override {
+    if (skipped_ > 0) return true;
     key_ = value;
     if (key_ == "settings" && depth_ == 1) return seenSettings_ ? repeated() : (seenSettings_ = true);
     return seen_.insert(key_).second || repeated();
@@ -66,6 +76,10 @@ class Reader : public nlohmann::json_sax<Json> {
   }
 
  private:
+  bool endSkipped() {
+    if (--skipped_ == 0) key_.clear();
+    return true;
+  }
   bool repeated() {
     error = badCall(std::string(source_) + ": " + quote(key_) + " is given twice; give it once");
     return false;
@@ -79,6 +93,7 @@ class Reader : public nlohmann::json_sax<Json> {
     return false;
   }
   bool entry(Entry e) {
+    if (skipped_ > 0) return true;
     if (depth_ == 0) return wrongValue("a single value");
     if (depth_ == 1 && key_ == "settings") return wrongValue("a single value instead of an object");
     entries.push_back(std::move(e));
@@ -91,6 +106,7 @@ class Reader : public nlohmann::json_sax<Json> {
   std::set<std::string> seen_;
   bool seenSettings_ = false;
   int depth_ = 0;
+  int skipped_ = 0;  ///< brackets open inside "evidence"
 };
 
 Result<double> valueOf(const Parameter& p, const Entry& e) {

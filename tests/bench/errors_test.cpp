@@ -79,6 +79,16 @@ TEST(ErrorSplit, TheNinetyNinthPercentileIsANearestRank) {
   EXPECT_NEAR(splitErrors(picture, reference, {}, {})->all->p99, 2, 1e-6);
 }
 
+TEST(ErrorSplit, OtherSurfacesCanBeLeftOut) {
+  const image::FloatImage reference = flat(8, 8, 1, 0.5f);
+  image::FloatImage picture = reference;
+  set(picture, 2, 2, 9);
+  picture.at(2, 2, 3) = 0.7f;
+  set(picture, 3, 3, 2);
+  EXPECT_NEAR(splitErrors(onSameSurface(picture, reference), reference, {}, {})->all->maximum, 1, 1e-6);
+  EXPECT_NEAR(splitErrors(picture, reference, {}, {})->all->maximum, 8, 1e-6);
+}
+
 TEST(ErrorSplit, WhatCannotBeComparedIsRefused) {
   const image::FloatImage reference = flat(8, 8, 1, 1);
   EXPECT_FALSE(splitErrors(flat(8, 9, 1, 1), reference, {}, {}));

@@ -57,7 +57,13 @@ TEST_F(BadCall, Parameters) {
 TEST_F(BadCall, NotBuiltYetIsSaidByName) {
   expectRefused({"render", "hall", "--set", "volumetrics.reuse=true"}, 2, {"volumetrics.reuse", "not built"});
   expectRefused({"render", "hall", "--set", "shadows.mode=soft"}, 2, {"shadows.mode", "not built"});
-  expectRefused({"tune", "hall", "--budget-ms", "4"}, 2, {"tune", "not built yet"});
+  expectRefused({"tune", "hall"}, 2, {"--max-error", "--budget-ms"});
+  expectRefused({"tune", "hall", "--max-error", "-1"}, 2, {"--max-error", "above 0"});
+  expectRefused({"tune", "hall", "--max-error", "0.1", "--budget-ms", "3"}, 2, {"one of"});
+  expectRefused({"tune", "hall", "--max-error", "0.1", "--camera", "99"}, 2, {"99"});
+  expectRefused({"tune", "--max-error", "0.1"}, 2, {"LEVEL"});
+  expectRefused({"tune", "hall", "--max-error", "0.1", "--out", "p.txt"}, 2, {"--out", ".json"});
+  expectRefused({"render", "hall", "--preset", "fsat"}, 2, {"--preset", "fsat", "'fast'"});
 }
 
 TEST_F(BadCall, DebugView) { expectRefused({"render", "hall", "--size", "64x36", "--debug-view", "norml", "--out", "a.png"}, 2, {"--debug-view", "norml", "'normal'"}); }

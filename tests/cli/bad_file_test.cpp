@@ -68,7 +68,7 @@ TEST_F(BadFile, Plugins) {
   expectRefused({"render", "hall", "--plugin-dir", "text"}, 1, {"volumetrics.so"});
 }
 
-TEST_F(BadFile, PluginOfAnotherAbi) { expectRefused({"describe", "--plugin-dir", TYNDALL_OTHER_ABI_DIR}, 1, {"volumetrics.so", "2.0", "1.1"}); }
+TEST_F(BadFile, PluginOfAnotherAbi) { expectRefused({"describe", "--plugin-dir", TYNDALL_OTHER_ABI_DIR}, 1, {"volumetrics.so", "2.0", "1.2"}); }
 
 const Environment kNoDevice = {{"VK_ICD_FILENAMES", "/nonexistent.json"}, {"VK_DRIVER_FILES", "/nonexistent.json"}};
 

@@ -29,4 +29,18 @@ struct BenchOptions {
 /// and a wrong sweep file are bad calls; a device that cannot be opened, a file that cannot be written, an interruption fail.
 Result<void> runBench(const BenchOptions& options);
 
+struct TuneOptions {
+  std::string level;
+  std::vector<std::uint32_t> cameras;  ///< empty: all of the level's
+  std::pair<std::uint32_t, std::uint32_t> size{1280, 720};
+  std::optional<double> budgetMs, maxError;  ///< one of the two
+  std::filesystem::path out;           ///< empty: the preset goes to stdout
+  std::string device;
+  std::filesystem::path pluginFolder;
+};
+
+/// Searches the cheapest settings under a bound on the error, or the least error within a time, and writes them as a preset with the evidence.
+/// Fails if no setting meets the bound; the message names the best that was found.
+Result<void> runTune(const TuneOptions& options);
+
 }  // namespace tyndall::app

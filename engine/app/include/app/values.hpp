@@ -17,5 +17,7 @@ Result<std::pair<std::uint32_t, std::uint32_t>> readSize(const std::string& opti
 Result<void> checkSize(const std::string& option, std::pair<std::uint32_t, std::uint32_t> size, std::uint32_t limit, const std::string& what);
 /// A finite number of seconds, 0 or more.
 Result<double> readSeconds(const std::string& option, const std::string& text);
+/// A finite number above 0.
+Result<double> readPositive(const std::string& option, const std::string& text);
 
 }  // namespace tyndall::app

@@ -64,7 +64,8 @@ class Table {
   /// Ids set explicitly (by setText/set), for "unused" reports.
   std::vector<std::string> assigned() const;
 
-  /// Preset: a JSON object {"id": value, ...}, also nested under "settings"; numbers, booleans and strings. All or
+  /// Preset: a JSON object {"id": value, ...}, also nested under "settings"; numbers, booleans and strings. An object "evidence" beside
+  /// them, which says where the values come from, is passed over. All or
   /// nothing: on an error no value changes. `source` names the file in errors. Malformed JSON is ErrorKind::kFailed;
   /// an unknown or repeated id or a refused value is kBadCall.
   Result<void> readPreset(std::string_view json, std::string_view source);
