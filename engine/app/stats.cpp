@@ -89,11 +89,21 @@ std::string statsJson(const RenderOptions& options, Session& session, const Rend
   j["gpu_ms"] = totalMs(run.passes);
   j["passes"] = Json::array();
   for (const render::PassTime& pass : run.passes) j["passes"].push_back({{"name", pass.name}, {"owner", pass.owner}, {"gpu_ms", pass.milliseconds}});
+  // A light's own time is that of its passes; its memory is what they touch, in turn with the other lights.
+  Json lights = Json::array();
+  const std::vector<std::uint64_t> bytes = session.effect().lightMemoryBytes();
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    double ms = 0;
+    for (const render::PassTime& pass : run.passes)
+      if (pass.owner == catalogue.effectPlugin().id() && pass.name.ends_with(" [light " + std::to_string(i) + "]")) ms += pass.milliseconds;
+    lights.push_back({{"light", i}, {"gpu_ms", ms}, {"memory_bytes", bytes[i]}});
+  }
   Json skipped = Json::object();
   for (const auto& [reason, count] : session.effect().counters()) skipped[reason] = count;
   j["volumetrics"] = {{"technique", catalogue.techniqueName()},
                       {"gpu_ms", ownedMs(run, catalogue.effectPlugin().id())},
                       {"memory_bytes", run.effectBytes},
+                      {"lights", lights},
                       {"skipped", skipped}};
   Json resolved = Json::object();
   for (const auto& [id, value] : session.effect().resolved()) resolved[id] = value;

@@ -93,6 +93,8 @@ class Tuner {
         settings[id] = value;
       else if (p.type == params::Type::kBool)
         settings[id] = table.value(id) != 0;
+      else if (p.type == params::Type::kInt)
+        settings[id] = static_cast<std::int64_t>(table.value(id));
       else
         settings[id] = table.value(id);
     }

@@ -35,10 +35,14 @@ struct FrameRefs {
   std::vector<gpu::ViewDesc> cookieViews;       ///< each light's layers
   /// Which of the layout's runs the graph recorded: it drops those whose results nobody reads. Filled while it records.
   std::shared_ptr<std::vector<bool>> recorded;
+  std::shared_ptr<std::vector<bool>> idle;  ///< those that the plugin skipped: recorded, but with nothing to do
 };
 
 /// Memory of what the recorded passes of a frame used, each image and buffer on its own, history always.
 std::uint64_t bytesUsed(const Built& built, const FrameRefs& refs);
+
+/// The same of each light's own passes, without the output. Lights take turns in the same memory, so that these do not add up to bytesUsed.
+std::vector<std::uint64_t> bytesOfLights(const Built& built, const FrameRefs& refs);
 
 /// Declares all passes of one frame. Passes are named "name", or "name [light 2]" where they repeat per light.
 std::shared_ptr<const FrameRefs> addFramePasses(const render::EffectInput& input, const std::shared_ptr<Built>& built,

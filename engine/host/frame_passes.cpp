@@ -156,6 +156,7 @@ std::shared_ptr<FrameRefs> declare(const render::EffectInput& input, Built& buil
   const Layout& layout = built.layout;
   refs->depth = input.depth;
   refs->recorded = std::make_shared<std::vector<bool>>(built.runs.size());
+  refs->idle = std::make_shared<std::vector<bool>>(built.runs.size());
   for (const render::ShadowedLight& light : input.lights) {
     refs->shadowMaps.push_back(light.shadowMap);
     refs->shadowMoments.push_back(light.moments);
@@ -231,6 +232,26 @@ std::uint64_t bytesUsed(const Built& built, const FrameRefs& refs) {
   return bytes;
 }
 
+std::vector<std::uint64_t> bytesOfLights(const Built& built, const FrameRefs& refs) {
+  const Layout& layout = built.layout;
+  std::vector<std::uint64_t> bytes(refs.shadowMaps.size(), 0);
+  for (std::uint32_t light = 0; light < bytes.size(); ++light) {
+    std::vector<bool> images(layout.images.size()), buffers(layout.buffers.size());
+    for (std::size_t r = 0; r < built.runs.size(); ++r) {
+      if (built.runs[r].light != light || !(*refs.recorded)[r] || (*refs.idle)[r]) continue;
+      for (const PassUse& use : built.uses[built.runs[r].pass]) {
+        if (use.resource.source == TY_SOURCE_IMAGE) images[use.resource.index] = true;
+        if (use.resource.source == TY_SOURCE_BUFFER) buffers[use.resource.index] = true;
+      }
+    }
+    for (std::size_t i = 0; i < images.size(); ++i)
+      if (images[i]) bytes[light] += imageBytes(layout.images[i].d);
+    for (std::size_t i = 0; i < buffers.size(); ++i)
+      if (buffers[i]) bytes[light] += layout.buffers[i].d.size;
+  }
+  return bytes;
+}
+
 bool isRunOf(const std::string& graphName, const std::string& name) {
   return graphName == name || graphName.starts_with(name + " [light ");
 }
@@ -277,7 +298,7 @@ std::shared_ptr<const FrameRefs> addFramePasses(const render::EffectInput& input
                useFor(use.access, compute, parts && (before || kept)));
     }
     if (built->uniforms.skipped(passRun.pass, run.block())) {
-      pass.idle().run([recorded](PassContext&) { recorded(); });
+      pass.idle().run([recorded, idle = refs->idle, index](PassContext&) { recorded(), (*idle)[index] = true; });
       continue;
     }
     if (p.d.kind != TY_PASS_CASTERS) {

@@ -73,6 +73,12 @@ TEST_P(EachTechnique, GivesEveryFileAndTimesThatAddUp) {
   } else {
     EXPECT_GT(owned, 0);
     EXPECT_GT(volumetrics.at("memory_bytes").get<std::uint64_t>(), 96u * 54 * 16 - 1);
+    // The hall's only light has all passes that are anyone's.
+    ASSERT_EQ(volumetrics.at("lights").size(), 1u);
+    const auto& light = volumetrics.at("lights")[0];
+    EXPECT_GT(light.at("gpu_ms").get<double>(), 0);
+    EXPECT_LE(light.at("gpu_ms").get<double>(), volumetrics.at("gpu_ms").get<double>() * (1 + 1e-9));
+    EXPECT_LE(light.at("memory_bytes").get<std::uint64_t>(), volumetrics.at("memory_bytes").get<std::uint64_t>());
     // Alpha is the transmittance over the distance of the depth file, with the default medium.
     const double sigma_t = stats.at("settings").at("medium.sigma_t");
     for (std::size_t i = 0; i < depth->values.size(); i += 97) EXPECT_NEAR(scatter->values[4 * i + 3], std::exp(-sigma_t * depth->values[i]), 2e-3) << i;

@@ -100,6 +100,9 @@ class PluginEffect : public render::Effect {
   /// What the passes of the last finished frame used: images, buffers, the output, each on its own. Those of passes
   /// that the graph dropped (debug views that are not shown) do not count, history always does.
   std::uint64_t memoryBytes() const;
+  /// What the passes of each light, most important first, touched in the last finished frame, the output aside. Lights take turns in the same
+  /// memory, so that these do not add up to memoryBytes(); 0: the light reached no view ray, or has no passes of its own.
+  std::vector<std::uint64_t> lightMemoryBytes() const;
   /// Why the plugin is off or, when built in the background, still has the layout of earlier settings: a layout was refused
   /// or could not be made (also logged, once). A changed setting or shader starts anew.
   const std::optional<Error>& failure() const;
