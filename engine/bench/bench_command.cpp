@@ -111,6 +111,8 @@ Result<Results> begin(const app::BenchOptions& options, const std::filesystem::p
                   "; another --out, or --fresh to measure everything again, is needed");
   if (earlier->sweep != results.sweep || earlier->settings != results.settings)
     return failed(file.string() + ": is of another sweep or of other common settings; another --out, or --fresh, is needed");
+  // What failed is tried again.
+  std::erase_if(earlier->points, [](const PointFigures& p) { return !p.failure.empty(); });
   return earlier;
 }
 
@@ -149,7 +151,10 @@ Result<void> measure(const app::BenchOptions& options) {
       progress.begin(view++, levels[l] + " camera " + std::to_string(camera));
       auto level = app::loadLevel(levels[l]);
       if (!level) { outcome = level.error(); break; }
-      if (camera >= level->cameras(0).size() && camera > 0) continue;  // not every level has as many
+      if (camera >= level->cameras(0).size() && camera > 0) {
+        std::fprintf(stderr, "tyndall: note: bench: %s has no camera %u; left out\n", levels[l].c_str(), camera);
+        continue;
+      }
       if (auto set = (*stand)->setLevel(level.take()); !set) { outcome = set; break; }
       auto planned = pointsOf(*sweep, (*stand)->catalogue(), levels[l], camera);
       if (!planned) { outcome = planned.error(); break; }

@@ -1,7 +1,11 @@
 #include "bench/points.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
+
+#include "app/level.hpp"
+#include "bench/truths.hpp"
 
 namespace tyndall::bench {
 namespace {
@@ -21,7 +25,15 @@ std::vector<std::string> builtTechniques(const params::Table& table) {
 class Planner {
  public:
   Planner(const Sweep& sweep, app::Catalogue& catalogue, const std::string& level, std::uint32_t camera)
-      : sweep_(sweep), catalogue_(catalogue), level_(level), camera_(camera) {}
+      : sweep_(sweep), catalogue_(catalogue), level_(level), camera_(camera) {
+    // What errors are taken against is a part of a point too: another truth, march or level file makes it another one.
+    std::string text = std::to_string(sweep.errorSize.first) + "x" + std::to_string(sweep.errorSize.second) + " " + std::to_string(sweep.truthSamples) + " " +
+                       std::to_string(sweep.motion.frames) + " " + std::to_string(sweep.motion.turn) + " " + std::to_string(sweep.motion.seconds);
+    for (const auto& [id, value] : sweep.march) text += " " + id + "=" + value;
+    char hash[20];
+    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(levelHash(level, text)));
+    references_ = hash;
+  }
 
   Result<std::vector<PlannedPoint>> plan() {
     const std::vector<std::string> techniques = builtTechniques(catalogue_.table());
@@ -35,14 +47,13 @@ class Planner {
           return added.error();
       if (sweep_.motion.frames > 0) {
         if (auto added = add(technique, technique, "moving", {}, {"motion"}, {}, sweep_.size); !added) return added.error();
-        points_.back().motion = true;
-        points_.back().measurement += "#motion";
       }
     }
     for (const Single& single : sweep_.singles) {
       const auto technique = single.settings.find(kSelector);
       if (auto added = add(technique == single.settings.end() ? "" : technique->second, single.series, single.label, single.settings, single.plots, {}, sweep_.size); !added)
         return added.error();
+      if (!added_) continue;  // the same point stands already
       points_.back().figures.paper = single.paper;
       if (single.baseline) baseline_ = points_.back().figures.key;
     }
@@ -86,7 +97,11 @@ class Planner {
     point.all = sweep_.settings;
     Assignments own = settings;
     if (!technique.empty()) own[kSelector] = technique;
-    for (const auto& [id, value] : own) point.all[id] = value;
+    for (const auto& [id, value] : own) {
+      if (id.starts_with("medium."))
+        return badCall("sweep " + sweep_.name + ": " + id + " is set for single points; the references are made for one medium, so \"settings\" of the whole sweep would be right");
+      point.all[id] = value;
+    }
     params::Table& table = catalogue_.table();
     if (auto applied = applySettings(table, point.all); !applied) return Error{"sweep " + sweep_.name + ": " + applied.error().message, applied.error().kind};
     // Canonical: what differs from the defaults, in the table's own words.
@@ -97,8 +112,11 @@ class Planner {
     f.level = level_, f.camera = camera_, f.size = size, f.series = series, f.technique = technique, f.label = label, f.plots = plots, f.knob = knob;
     f.settings = own;
     point.measurement = level_ + " " + std::to_string(camera_) + " " + std::to_string(size.first) + "x" + std::to_string(size.second) + text;
-    f.key = point.measurement + " | " + series + ", " + label;
-    if (!keys_.insert(f.key).second) return {};
+    point.motion = sweep_.motion.frames > 0 && std::find(plots.begin(), plots.end(), "motion") != plots.end();
+    if (point.motion) point.measurement += "#motion";
+    f.key = point.measurement + " | " + series + ", " + label + " | " + references_;
+    added_ = keys_.insert(f.key).second;
+    if (!added_) return {};
     points_.push_back(std::move(point));
     return {};
   }
@@ -109,7 +127,8 @@ class Planner {
   std::uint32_t camera_;
   std::vector<PlannedPoint> points_;
   std::set<std::string> keys_;
-  std::string baseline_;
+  std::string baseline_, references_;
+  bool added_ = false;  ///< by the last add()
 };
 
 }  // namespace

@@ -18,6 +18,14 @@ constexpr const char* kGeneration = "1";
 
 }  // namespace
 
+std::uint64_t levelHash(const std::string& level, const std::string& text) {
+  const std::uint64_t hash = hashOf(std::as_bytes(std::span(text.data(), text.size())));
+  auto path = app::findLevel(level);
+  if (!path) return hash;
+  auto bytes = readFile(*path);
+  return bytes ? hashOf(*bytes, hash) : hash;
+}
+
 Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Size size, double seconds, const truth::Medium& medium, std::uint32_t samples,
                       const std::function<bool(double)>& progress) {
   auto view = app::chooseCamera(level, camera, seconds);

@@ -2,7 +2,6 @@
 #include "app/bench_options.hpp"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <map>
 
@@ -102,7 +101,7 @@ class Tuner {
     const gpu::DeviceInfo& device = stand_.session().device().info();
     const auto number = [](double v) { char t[32]; std::snprintf(t, sizeof t, "%.6g", v); return std::string(t); };
     evidence["command"] = "tyndall tune " + options_.level + (goal_.maxError ? " --max-error " + number(*goal_.maxError) : " --budget-ms " + number(*goal_.budgetMs)) +
-                          " --size " + std::to_string(options_.size.first) + "x" + std::to_string(options_.size.second);
+                          cameraOptions() + " --size " + std::to_string(options_.size.first) + "x" + std::to_string(options_.size.second);
     evidence["device"] = device.name;
     evidence["driver"] = device.driver;
     evidence["bound"] = goal_.maxError ? Json{{"max_nrmse", *goal_.maxError}} : Json{{"budget_ms", *goal_.budgetMs}};
@@ -111,7 +110,7 @@ class Tuner {
     evidence["views"] = Json::array();
     for (std::size_t v = 0; v < cameras_.size(); ++v)
       evidence["views"].push_back({{"level", options_.level}, {"camera", cameras_[v]}, {"milliseconds", spreadOf(best().milliseconds[v]).median}, {"nrmse", best().errors[v]}});
-    evidence["errors"] = "nRMSE against the ray-traced truth; pixels where rasteriser and ray tracer end on different surfaces do not count";
+    evidence["errors"] = "nRMSE against the ray-traced truth; pixels where rasteriser and ray tracer end on different surfaces count as right";
     evidence["error_size"] = {kRounds[std::size(kRounds) - 1].errorSize.first, kRounds[std::size(kRounds) - 1].errorSize.second};
     evidence["candidates_by_round"] = counts_;
     evidence["others_of_the_last_round"] = Json::array();
@@ -126,6 +125,12 @@ class Tuner {
   }
 
  private:
+  std::string cameraOptions() const {
+    std::string text;
+    for (const std::uint32_t camera : options_.cameras) text += " --camera " + std::to_string(camera);
+    return text;
+  }
+
   Result<void> makeCandidates() {
     const app::Catalogue& catalogue = stand_.catalogue();
     for (const params::Parameter& p : stand_.session().table().parameters()) {

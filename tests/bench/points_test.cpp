@@ -75,6 +75,37 @@ TEST_F(Points, WhatIsTheSameIsMeasuredOnce) {
   EXPECT_EQ(plan(other).front().measurement, plan(plain).front().measurement);
 }
 
+TEST_F(Points, OtherReferencesMakeOtherPoints) {
+  Sweep sweep, other;
+  other.truthSamples = sweep.truthSamples + 1;
+  const auto a = plan(sweep), b = plan(other);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_NE(a[i].figures.key, b[i].figures.key);
+    EXPECT_EQ(a[i].measurement, b[i].measurement);
+  }
+}
+
+TEST_F(Points, APointThatStandsTwiceSpoilsNoOther) {
+  Sweep sweep;
+  sweep.everyTechnique = false;
+  const Single single{"a", "b", {{"volumetrics.technique", "exact"}}, {"papers"}, PaperFigure{"P", "T", "R", 1.0, 0.1}, false};
+  Single again = single;
+  again.paper->row = "another";
+  sweep.singles = {single, again};
+  const auto points = plan(sweep);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points[0].figures.paper->row, "R");
+}
+
+TEST_F(Points, PointsOfMotionMove) {
+  Sweep sweep;
+  sweep.everyTechnique = false;
+  sweep.motion.frames = 3;
+  sweep.knobs = {{"volumetrics.jitter", {"none", "white"}, {}, {}, {"motion"}}};
+  for (const PlannedPoint& p : plan(sweep)) EXPECT_TRUE(p.motion) << p.figures.key;
+}
+
 TEST_F(Points, ParametersThatGoTogetherDo) {
   Sweep sweep;
   sweep.everyTechnique = false;
@@ -98,6 +129,11 @@ TEST_F(Points, WrongValuesAreNamed) {
   EXPECT_FALSE(pointsOf(sweep, *catalogue, "level", 0));
   sweep.knobs = {{"volumetrics.steps", {"-3"}, {}, {}, {"knob"}}};
   EXPECT_FALSE(pointsOf(sweep, *catalogue, "level", 0));
+  // The references are made for the medium that all points share.
+  sweep.knobs = {{"medium.g", {"0.1"}, {}, {}, {"knob"}}};
+  auto medium = pointsOf(sweep, *catalogue, "level", 0);
+  ASSERT_FALSE(medium);
+  EXPECT_NE(medium.error().message.find("medium.g"), std::string::npos);
 }
 
 TEST_F(Points, PaperFiguresKnowTheirBruteForce) {

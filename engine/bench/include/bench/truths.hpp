@@ -15,6 +15,9 @@ struct Truth {
   std::vector<float> distance;  ///< metres along the ray
 };
 
+/// A number made of a level's file and a text; of the text alone if there is no such level.
+std::uint64_t levelHash(const std::string& level, const std::string& text);
+
 /// From <cache>/truths if it was made before: of the same level file (by content), camera, size, medium, samples and time; else rendered and kept
 /// there. A cache that cannot be written only costs time. `progress` as in truth::Settings.
 Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Size size, double seconds, const truth::Medium& medium, std::uint32_t samples,
