@@ -139,6 +139,7 @@ Result<bool> Editor::step() {
   workspace_.widgets.clear();
   drawWindows();
   steer();
+  watchEdits();
   ImGui::Render();
 
   if (pictureWanted()) {
@@ -153,7 +154,7 @@ Result<bool> Editor::step() {
   }
   if (auto shown = renderWindow(); !shown) return shown.error();
   ++frames_;
-  const StateFile::Snapshot now{*session_, workspace_, *camera_, camera_->view(fileCamera()), frames_, pictures_};
+  const StateFile::Snapshot now{*session_, workspace_, *camera_, history_, camera_->view(fileCamera()), frames_, pictures_};
   if (auto written = state_.update(now); !written) return written.error();
   return true;
 }
@@ -171,8 +172,13 @@ void Editor::drawWindows() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float side = std::min(std::clamp(size.x * 0.32f, 290.0f, 420.0f), size.x / 2);
   const float status = ImGui::GetFrameHeight() + 6;
-  drawViewport(size.x - side, size.y - status);
-  drawSide(size.x - side, side, size.y - status);
+  const MenuChoice choice = menu_.draw(history_, {}, workspace_);
+  for (const Command command : choice.commands) perform(command);
+  const float top = menu_.height(), height = size.y - status - top;
+  drawViewport(top, size.x - side, height);
+  drawSide(size.x - side, top, side, height);
+  if (const auto step = drawHistory(history_, historyOpen_, workspace_)) restore(history_.jump(*step));
+  drawHelp(helpOpen_);
   research_->draw(workspace_, viewport());
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 5));
   beginFixed("status", 0, size.y - status, size.x, status, ImGuiWindowFlags_NoScrollWithMouse);
@@ -181,15 +187,15 @@ void Editor::drawWindows() {
   ImGui::PopStyleVar();
 }
 
-void Editor::drawViewport(float width, float height) {
+void Editor::drawViewport(float y, float width, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  beginFixed("viewport", 0, 0, width, height, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground);
+  beginFixed("viewport", 0, y, width, height, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground);
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
   const std::uint32_t limit = session_->maxSide();
-  viewWidth_ = std::clamp(static_cast<std::uint32_t>(width * scale.x), 1u, limit);
-  viewHeight_ = std::clamp(static_cast<std::uint32_t>(height * scale.y), 1u, limit);
+  viewWidth_ = std::clamp(static_cast<std::uint32_t>(std::max(width, 1.0f) * scale.x), 1u, limit);
+  viewHeight_ = std::clamp(static_cast<std::uint32_t>(std::max(height, 1.0f) * scale.y), 1u, limit);
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("picture", {width, height}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  ImGui::InvisibleButton("picture", {std::max(width, 1.0f), std::max(height, 1.0f)}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   workspace_.place("viewport");
   viewHovered_ = ImGui::IsItemHovered();
   // Not in the frame of the press itself: the mouse's way to where it was pressed is no drag.
@@ -201,8 +207,8 @@ void Editor::drawViewport(float width, float height) {
   ImGui::PopStyleVar();
 }
 
-void Editor::drawSide(float x, float width, float height) {
-  beginFixed("side", x, 0, width, height, ImGuiWindowFlags_NoScrollWithMouse);
+void Editor::drawSide(float x, float y, float width, float height) {
+  beginFixed("side", x, y, width, height, ImGuiWindowFlags_NoScrollWithMouse);
   drawControls(*session_, *camera_, workspace_);
   ImGui::Separator();
   const float times = std::clamp(height * 0.3f, 90.0f, 260.0f);
@@ -220,14 +226,11 @@ void Editor::steer() {
   const float passed = static_cast<float>(now - std::exchange(lastTime_, now));
   if (workspace_.playing) workspace_.seconds += static_cast<double>(passed);
 
+  for (const Command command : shortcuts_.pressed(*window_, io.WantTextInput)) perform(command);
   const bool control = window_->keyDown(GLFW_KEY_LEFT_CONTROL) || window_->keyDown(GLFW_KEY_RIGHT_CONTROL);
   const auto key = [&](int code) { return window_->keyDown(code) && !io.WantTextInput; };  // asks first: a tap is forgotten once asked for
-  const bool resetKey = key(GLFW_KEY_F);
-  if (resetKey && !std::exchange(resetKeyWasDown_, resetKey)) workspace_.cameraReset = true;
-  resetKeyWasDown_ = resetKey;
   const bool left = key(GLFW_KEY_A), right = key(GLFW_KEY_D), down = key(GLFW_KEY_Q), up = key(GLFW_KEY_E);
   const bool back = key(GLFW_KEY_S), ahead = key(GLFW_KEY_W);
-  if (control && down) window_->close();
 
   Flight flight;
   if (!control) flight.push = {float(right) - float(left), float(up) - float(down), float(ahead) - float(back)};

@@ -8,10 +8,13 @@
 #include "app/outputs.hpp"
 #include "app/session.hpp"
 #include "fly_camera.hpp"
+#include "history.hpp"
 #include "imgui_renderer.hpp"
+#include "menu_bar.hpp"
 #include "options.hpp"
 #include "parameter_panel.hpp"
 #include "research.hpp"
+#include "shortcuts.hpp"
 #include "state_file.hpp"
 #include "stress.hpp"
 #include "swapchain.hpp"
@@ -43,11 +46,17 @@ class Editor {
   // editor.cpp: what is in the window
   Result<bool> step();  ///< false: there was nothing to draw on
   void drawWindows();
-  void drawViewport(float width, float height);
-  void drawSide(float x, float width, float height);
+  void drawViewport(float y, float width, float height);
+  void drawSide(float x, float y, float width, float height);
   void steer();
   scene::CameraView fileCamera() const;
   Research::Viewport viewport() const;
+
+  // editor_commands.cpp: what the menu and the keys do
+  void perform(Command command);
+  void watchEdits();                      ///< what changed in this frame becomes a step of the history
+  void restore(const EditState* state);   ///< null: nothing to undo or redo
+  EditState editState() const;
 
   // editor_frame.cpp: how it gets there
   Result<void> renderPicture();
@@ -72,6 +81,10 @@ class Editor {
 
   std::optional<FlyCamera> camera_;
   ParameterPanel parameters_;
+  History history_;
+  MenuBar menu_;
+  Shortcuts shortcuts_;
+  bool historyOpen_ = false, helpOpen_ = false;
   Watcher watcher_;
   Workspace workspace_;
   std::unique_ptr<Stress> stress_;  ///< random use instead of a user's
@@ -82,7 +95,6 @@ class Editor {
   bool viewHovered_ = false, looking_ = false;
   bool moving_ = false;            ///< the camera was flown in the last frame
   bool timesTaken_ = true;         ///< of the newest picture
-  bool resetKeyWasDown_ = false;
   double lastTime_ = 0;            ///< of the last step, seconds since the start
 };
 

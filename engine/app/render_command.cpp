@@ -52,6 +52,7 @@ Result<void> runRender(const RenderOptions& options) {
   if (!level) return level.error();
   auto camera = chooseCamera(*level, options.camera, options.seconds);
   if (!camera) return camera.error();
+  if (options.pose) *camera = placed(*camera, *options.pose);
   std::vector<std::string> warnings = (*catalogue)->warnings(), notes = level->notes;
   warnings.insert(warnings.end(), level->warnings.begin(), level->warnings.end());
 

@@ -1,0 +1,40 @@
+// What the menu's commands do, and how edits become steps that can be undone.
+#include "editor.hpp"
+
+namespace tyndall::editor {
+
+EditState Editor::editState() const { return {settingsOf(session_->table()), camera_->pose(), {}}; }
+
+void Editor::watchEdits() {
+  const bool held = ImGui::IsAnyItemActive() || parameters_.pending();
+  history_.observe(session_->table(), editState(), held || moving_);
+}
+
+void Editor::restore(const EditState* state) {
+  if (!state) return;
+  const std::vector<std::string> refused = applySettings(session_->table(), state->settings);
+  camera_->setPose(state->pose);
+  workspace_.changed = true;
+  if (!refused.empty()) workspace_.tell("a value of then has no meaning now: " + refused.front(), true);
+  else workspace_.tell(history_.steps()[history_.present()].label, false);
+}
+
+void Editor::perform(Command command) {
+  switch (command) {
+    case Command::kUndo: return restore(history_.undo());
+    case Command::kRedo: return restore(history_.redo());
+    case Command::kHistory: historyOpen_ = !historyOpen_; return;
+    case Command::kHelp: helpOpen_ = !helpOpen_; return;
+    case Command::kSearch: parameters_.search(); return;
+    case Command::kResetCamera: workspace_.cameraReset = true; return;
+    case Command::kQuit: window_->close(); return;
+    case Command::kResetAll:
+      session_->table().resetToDefaults();
+      workspace_.changed = true;
+      workspace_.tell("every parameter has its default value", false);
+      return;
+    default: return;
+  }
+}
+
+}  // namespace tyndall::editor
