@@ -141,6 +141,7 @@ Result<bool> Editor::step() {
   steer();
   watchEdits();
   ImGui::Render();
+  if (std::exchange(captureAsked_, false)) takeCapture();
 
   if (pictureWanted()) {
     if (auto rendered = renderPicture(); !rendered) {
@@ -159,10 +160,11 @@ Result<bool> Editor::step() {
   return true;
 }
 
-scene::CameraView Editor::fileCamera() const {
-  const auto cameras = session_->level()->cameras(workspace_.seconds);
-  return cameras[std::min<std::size_t>(options_.camera, cameras.size() - 1)];
+std::uint32_t Editor::cameraIndex() const {
+  return std::min(options_.camera, static_cast<std::uint32_t>(session_->level()->cameras(workspace_.seconds).size()) - 1);
 }
+
+scene::CameraView Editor::fileCamera() const { return session_->level()->cameras(workspace_.seconds)[cameraIndex()]; }
 
 Research::Viewport Editor::viewport() const {
   return {camera_->view(fileCamera()), viewWidth_, viewHeight_, viewLow_, viewSize_, viewHovered_, moving_ || workspace_.playing};
@@ -180,6 +182,7 @@ void Editor::drawWindows() {
   if (const auto step = drawHistory(history_, historyOpen_, workspace_)) restore(history_.jump(*step));
   drawHelp(helpOpen_);
   research_->draw(workspace_, viewport());
+  if (capture_.draw(workspace_)) captureAsked_ = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 5));
   beginFixed("status", 0, size.y - status, size.x, status, ImGuiWindowFlags_NoScrollWithMouse);
   drawStatus(*session_, workspace_, viewWidth_, viewHeight_);

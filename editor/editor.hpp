@@ -7,6 +7,7 @@
 
 #include "app/outputs.hpp"
 #include "app/session.hpp"
+#include "capture_panel.hpp"
 #include "fly_camera.hpp"
 #include "history.hpp"
 #include "imgui_renderer.hpp"
@@ -49,6 +50,7 @@ class Editor {
   void drawViewport(float y, float width, float height);
   void drawSide(float x, float y, float width, float height);
   void steer();
+  std::uint32_t cameraIndex() const;
   scene::CameraView fileCamera() const;
   Research::Viewport viewport() const;
 
@@ -57,6 +59,7 @@ class Editor {
   void watchEdits();                      ///< what changed in this frame becomes a step of the history
   void restore(const EditState* state);   ///< null: nothing to undo or redo
   EditState editState() const;
+  void takeCapture();
 
   // editor_frame.cpp: how it gets there
   Result<void> renderPicture();
@@ -84,6 +87,8 @@ class Editor {
   History history_;
   MenuBar menu_;
   Shortcuts shortcuts_;
+  CapturePanel capture_;
+  bool captureAsked_ = false;
   bool historyOpen_ = false, helpOpen_ = false;
   Watcher watcher_;
   Workspace workspace_;

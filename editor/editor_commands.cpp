@@ -19,6 +19,23 @@ void Editor::restore(const EditState* state) {
   else workspace_.tell(history_.steps()[history_.present()].label, false);
 }
 
+void Editor::takeCapture() {
+  const app::Level& level = *session_->level();
+  app::Capture view;
+  std::error_code unknown;
+  // A sample's name says where it is; a path must do so from any folder.
+  view.level = level.name.find('/') == std::string::npos && !level.name.ends_with(".gltf") && !level.name.ends_with(".glb")
+                   ? level.name
+                   : std::filesystem::absolute(level.path, unknown).string();
+  view.camera = cameraIndex(), view.pose = camera_->pose();
+  view.size = {viewWidth_, viewHeight_}, view.seconds = workspace_.seconds, view.debugView = workspace_.debugView;
+  view.pluginFolder = options_.pluginFolder;
+  auto done = capture_.take(*session_, view);
+  workspace_.changed = true;
+  if (!done) return workspace_.tell(done.error().message, true);
+  workspace_.tell("captured; the command is in the clipboard", false);
+}
+
 void Editor::perform(Command command) {
   switch (command) {
     case Command::kUndo: return restore(history_.undo());
@@ -28,6 +45,7 @@ void Editor::perform(Command command) {
     case Command::kSearch: parameters_.search(); return;
     case Command::kResetCamera: workspace_.cameraReset = true; return;
     case Command::kQuit: window_->close(); return;
+    case Command::kCapture: capture_.open = !capture_.open; return;
     case Command::kResetAll:
       session_->table().resetToDefaults();
       workspace_.changed = true;

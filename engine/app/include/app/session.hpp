@@ -50,6 +50,8 @@ class Session {
   Result<render::FrameOutput> buildFrame(render::Graph& graph, const FrameRequest& request);
   /// Compiles, records with a timestamp after each pass, submits. `signals` is for a window's swapchain.
   Result<void> submitFrame(render::Graph& graph, const gpu::FrameSignals& signals = {});
+  /// The next frame is as the first after setLevel(): a cut, with the frame number that noise starts from.
+  void restart() { frameIndex_ = 0, cut_ = true; }
   /// Waits for every submitted frame and takes its times.
   Result<void> finishFrames();
 
