@@ -1,6 +1,7 @@
 #include "editor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -172,7 +173,7 @@ Research::Viewport Editor::viewport() const {
 
 void Editor::drawWindows() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float side = std::min(std::clamp(size.x * 0.32f, 290.0f, 420.0f), size.x / 2);
+  const float side = std::floor(std::min(std::clamp(size.x * 0.32f, 290.0f, 420.0f), size.x / 2));  // the picture is not stretched by part of a point
   const float status = ImGui::GetFrameHeight() + 6;
   const MenuChoice choice = menu_.draw(history_, {}, workspace_);
   for (const Command command : choice.commands) perform(command);

@@ -122,7 +122,7 @@ void ParameterPanel::row(app::Catalogue& catalogue, const params::Parameter& par
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
   const bool waits = pending_ && pending_->id == parameter.id;
-  const auto value = parameterWidget(parameter, waits ? pending_->value : table.value(parameter.id));
+  const auto value = parameterWidget(parameter, waits ? pending_->value : table.value(parameter.id), workspace);
   workspace.place(parameter.id);
   const bool slides = parameter.type == params::Type::kInt || parameter.type == params::Type::kFloat;
   if (value && slides && parameter.structural) pending_ = Pending{parameter.id, *value};

@@ -37,9 +37,12 @@ std::vector<Command> Shortcuts::pressed(const Window& window, bool typing) {
   const bool control = window.keyDown(GLFW_KEY_LEFT_CONTROL) || window.keyDown(GLFW_KEY_RIGHT_CONTROL);
   const bool shift = window.keyDown(GLFW_KEY_LEFT_SHIFT) || window.keyDown(GLFW_KEY_RIGHT_SHIFT);
   std::map<int, bool> now;
-  // A tap is forgotten once asked for: each key is asked for once, and those that fly are left alone while there is no Ctrl.
-  for (const Shortcut& shortcut : kShortcuts)
-    if (shortcut.control == control && !now.contains(shortcut.key)) now[shortcut.key] = window.keyDown(shortcut.key);
+  // A tap is remembered until asked for: each key is asked for once in every frame, but those that fly (which the flight
+  // asks for) only with Ctrl.
+  for (const Shortcut& shortcut : kShortcuts) {
+    const bool flies = shortcut.key == GLFW_KEY_S || shortcut.key == GLFW_KEY_D || shortcut.key == GLFW_KEY_Q;
+    if ((control || !flies) && !now.contains(shortcut.key)) now[shortcut.key] = window.keyDown(shortcut.key);
+  }
   std::vector<Command> commands;
   for (const Shortcut& shortcut : kShortcuts) {
     if (!now[shortcut.key] || down_[shortcut.key] || shortcut.control != control || shortcut.shift != (shift && shortcut.control)) continue;

@@ -1,0 +1,120 @@
+// One session at the window, as a user has it: each step is checked by what the editor says of itself and by pixels.
+#include <cstdlib>
+
+#include "display.hpp"
+#include "image/image_io.hpp"
+
+namespace tyndall::editor_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class SessionTest : public EditorTest {
+ protected:
+  void start(std::vector<std::string> more = {}) {
+    ASSERT_TRUE(haveProgram("xdotool"));
+    std::vector<std::string> call{"hall", "--size", "960x640", "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64",
+                                  "--set", "shadows.resolution=256", "--screenshot", (folder_ / "window.png").string()};
+    call.insert(call.end(), more.begin(), more.end());
+    startEditor(call);
+    ASSERT_FALSE(waitFor([](const Json& s) { return s["frames"] >= 4; }).is_null()) << errors();
+    focus();
+  }
+  std::string setting(const char* id) const { return state()["settings"][id]; }
+  bool becomes(const char* id, const std::string& value) {
+    return !waitFor([&](const Json& s) { return s["settings"][id] == value; }, 20).is_null();
+  }
+  std::string readAll(const fs::path& path) const {
+    auto bytes = image::readPng(path);
+    return bytes ? std::string(bytes->values.begin(), bytes->values.end()) : "unreadable: " + bytes.error().message;
+  }
+  /// Captures what is on screen and gives the command.
+  std::string capture() {
+    const std::string before = state()["facts"].value("capture.command", "");
+    click("capture");
+    const Json done = waitFor([&](const Json& s) { return s["facts"].value("capture.command", before) != before; }, 60);
+    return done.is_null() ? "" : done["facts"]["capture.command"].get<std::string>();
+  }
+  /// Runs a captured command with another file for its picture.
+  int rerun(std::string command, const fs::path& captured, const fs::path& again) {
+    const std::size_t at = command.find(captured.string());
+    if (command.rfind("tyndall ", 0) != 0 || at == std::string::npos) return -1;
+    command.replace(at, captured.string().size(), again.string());
+    return std::system((std::string(TYNDALL_BIN_DIR) + "/" + command + " > " + (folder_ / "again.log").string() + " 2>&1").c_str());
+  }
+  void quit() {
+    keys({"ctrl", "q"});
+    EXPECT_EQ(waitEditor(60), 0) << errors();
+  }
+};
+
+TEST_F(SessionTest, EditsAreUndoneAndCapturesAreMadeAgain) {
+  start();
+  EXPECT_EQ(state()["history"]["steps"], 1);
+  // Another technique, from the list.
+  const std::string technique = setting("volumetrics.technique");
+  ASSERT_NE(technique, "ray_march");
+  click("volumetrics.technique");
+  click("volumetrics.technique=ray_march");
+  ASSERT_TRUE(becomes("volumetrics.technique", "ray_march"));
+  EXPECT_EQ(state()["history"]["steps"], 2);
+  // One drag is one step, whatever it passed.
+  const std::string exposure = setting("view.exposure");
+  click("search");
+  input({"type", "--delay", "120", "exposure"});
+  waitFrames(3);
+  ASSERT_FALSE(state()["widgets"].contains("volumetrics.technique"));  // the search leaves what matches
+  drag("view.exposure", 0.2, 0.75);
+  const std::string dragged = setting("view.exposure");
+  EXPECT_NE(dragged, exposure);
+  EXPECT_EQ(state()["history"]["steps"], 3);
+  keys({"ctrl", "z"});
+  EXPECT_TRUE(becomes("view.exposure", exposure));
+  EXPECT_EQ(setting("volumetrics.technique"), "ray_march");
+  keys({"ctrl", "z"});
+  EXPECT_TRUE(becomes("volumetrics.technique", technique));
+  EXPECT_EQ(state()["history"]["present"], 0);
+  keys({"ctrl", "shift", "z"});
+  EXPECT_TRUE(becomes("volumetrics.technique", "ray_march"));
+  keys({"ctrl", "y"});
+  EXPECT_TRUE(becomes("view.exposure", dragged));
+  // Look elsewhere, then capture; the command gives the same bytes.
+  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", "200", "300", "mousedown", "3"});
+  waitFrames(3);
+  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", "263", "289"});
+  waitFrames(3);
+  input({"mouseup", "3"});
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["camera"]["flown"] && s["history"]["steps"] == 4; }, 20).is_null()) << state().dump();
+  keys({"ctrl", "p"});
+  click("capture folder");
+  input({"type", "--delay", "60", folder_.string()});
+  waitFrames(3);
+  const std::string command = capture();
+  EXPECT_NE(command.find("--pose "), std::string::npos) << state()["message"];
+  EXPECT_NE(command.find("volumetrics.technique=ray_march"), std::string::npos) << command;
+  const fs::path captured = folder_ / "hall-001.png", again = folder_ / "again.png";
+  ASSERT_TRUE(fs::exists(captured)) << state()["message"];
+  EXPECT_TRUE(fs::exists(folder_ / "hall-001.json"));
+  ASSERT_EQ(rerun(command, captured, again), 0);
+  const std::string bytes = readAll(captured);
+  EXPECT_GT(bytes.size(), 10000u);
+  EXPECT_TRUE(bytes == readAll(again));
+  // It is what the window shows.
+  const auto top = static_cast<std::uint32_t>(state()["widgets"]["viewport"][1].get<double>());
+  quit();
+  auto window = image::readPng(folder_ / "window.png");
+  auto picture = image::readPng(captured);
+  ASSERT_TRUE(window && picture);
+  std::size_t apart = 0, seen = 0;
+  for (std::uint32_t y = picture->height * 3 / 4; y < picture->height; ++y)  // below the capture's own window
+    for (std::uint32_t x = 0; x < picture->width; ++x, ++seen) {
+      const std::uint8_t* here = &picture->values[(std::size_t{y} * picture->width + x) * 3];
+      const std::uint8_t* there = &window->values[(std::size_t{y + top} * window->width + x) * 3];
+      apart += here[0] != there[0] || here[1] != there[1] || here[2] != there[2];
+    }
+  EXPECT_LT(apart, seen / 100);
+}
+
+}  // namespace
+}  // namespace tyndall::editor_test
