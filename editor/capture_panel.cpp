@@ -15,6 +15,16 @@ constexpr const char* kLevel = ".glb";
 
 }  // namespace
 
+void CapturePanel::restore(const Settings& s) {
+  picture = s.capturePicture, scatter = s.captureScatter, depth = s.captureDepth, stats = s.captureStats;
+  std::snprintf(folder.data(), folder.size(), "%s", s.captureFolder.c_str());
+}
+
+void CapturePanel::keep(Settings& s) const {
+  s.capturePicture = picture, s.captureScatter = scatter, s.captureDepth = depth, s.captureStats = stats;
+  s.captureFolder = folder.data();
+}
+
 fs::path CapturePanel::fileOf(const std::string& base, const char* extension) const {
   std::error_code unknown;  // without a working folder the name stays relative, and writing it says what is wrong
   const fs::path asked = fs::path(folder.data()) / (base + extension), whole = fs::absolute(asked, unknown);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/capture.hpp"
+#include "settings_file.hpp"
 #include "workspace.hpp"
 
 namespace tyndall::editor {
@@ -16,6 +17,8 @@ class CapturePanel {
   bool picture = true, scatter = false, depth = false, stats = true;
   std::array<char, 1024> folder{};  ///< "" = the working folder
 
+  void restore(const Settings& settings);
+  void keep(Settings& settings) const;
   /// True: the button was pressed.
   bool draw(Workspace& workspace);
   /// Captures what `view` says; the files get the first free number in the folder, the clipboard gets the command.

@@ -103,6 +103,11 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   editor->research_ = std::make_unique<Research>(*editor->session_, *editor->renderer_, Laboratory::Options{device, options.pluginFolder, wake});
   editor->workspace_.seconds = options.seconds;
   for (const std::string& line : told) editor->workspace_.tell(line, false);
+  std::string problem;
+  editor->settings_ = editor->settingsFile_.read(problem);
+  if (!problem.empty()) editor->workspace_.tell(problem, true);
+  editor->settings_.opened(editor->levelText());
+  editor->capture_.restore(editor->settings_);
   return editor;
 }
 
@@ -143,6 +148,9 @@ Result<bool> Editor::step() {
   watchEdits();
   ImGui::Render();
   if (std::exchange(captureAsked_, false)) takeCapture();
+  if (!levelAsked_.empty()) openLevel(std::exchange(levelAsked_, ""));
+  if (levelLost_) return *levelLost_;
+  keepSettings();
 
   if (pictureWanted()) {
     if (auto rendered = renderPicture(); !rendered) {
@@ -175,7 +183,8 @@ void Editor::drawWindows() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float side = std::floor(std::min(std::clamp(size.x * 0.32f, 290.0f, 420.0f), size.x / 2));  // the picture is not stretched by part of a point
   const float status = ImGui::GetFrameHeight() + 6;
-  const MenuChoice choice = menu_.draw(history_, {}, workspace_);
+  const MenuChoice choice = menu_.draw(history_, settings_.recentLevels, workspace_);
+  if (!choice.level.empty()) levelAsked_ = choice.level;
   for (const Command command : choice.commands) perform(command);
   const float top = menu_.height(), height = size.y - status - top;
   drawViewport(top, size.x - side, height);
@@ -183,6 +192,8 @@ void Editor::drawWindows() {
   if (const auto step = drawHistory(history_, historyOpen_, workspace_)) restore(history_.jump(*step));
   drawHelp(helpOpen_);
   research_->draw(workspace_, viewport());
+  if (const auto file = files_.draw(workspace_)) fileChosen(*file);
+  drawComparison();
   if (capture_.draw(workspace_)) captureAsked_ = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 5));
   beginFixed("status", 0, size.y - status, size.x, status, ImGuiWindowFlags_NoScrollWithMouse);

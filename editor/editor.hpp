@@ -8,13 +8,16 @@
 #include "app/outputs.hpp"
 #include "app/session.hpp"
 #include "capture_panel.hpp"
+#include "file_browser.hpp"
 #include "fly_camera.hpp"
 #include "history.hpp"
 #include "imgui_renderer.hpp"
 #include "menu_bar.hpp"
 #include "options.hpp"
 #include "parameter_panel.hpp"
+#include "presets.hpp"
 #include "research.hpp"
+#include "settings_file.hpp"
 #include "shortcuts.hpp"
 #include "state_file.hpp"
 #include "stress.hpp"
@@ -42,7 +45,7 @@ class Editor {
   Result<void> run();
 
  private:
-  explicit Editor(const Options& options) : options_(options), state_(options.state) {}
+  explicit Editor(const Options& options);
 
   // editor.cpp: what is in the window
   Result<bool> step();  ///< false: there was nothing to draw on
@@ -59,7 +62,13 @@ class Editor {
   void watchEdits();                      ///< what changed in this frame becomes a step of the history
   void restore(const EditState* state);   ///< null: nothing to undo or redo
   EditState editState() const;
+  std::string levelText() const;          ///< the level as a sample's name or an absolute path
   void takeCapture();
+  void openLevel(const std::string& level);
+  void browse(Command command);           ///< opens the file window for it
+  void fileChosen(const std::filesystem::path& file);
+  void drawComparison();
+  void keepSettings();
 
   // editor_frame.cpp: how it gets there
   Result<void> renderPicture();
@@ -89,6 +98,13 @@ class Editor {
   Shortcuts shortcuts_;
   CapturePanel capture_;
   bool captureAsked_ = false;
+  std::optional<Error> levelLost_;        ///< neither a new level nor the one before could be set
+  std::string levelAsked_;                ///< taken between two frames
+  FileBrowser files_;
+  Command filesFor_ = Command::kOpenLevel;
+  std::filesystem::path compared_;        ///< a preset; "" = none
+  SettingsFile settingsFile_;
+  Settings settings_;
   bool historyOpen_ = false, helpOpen_ = false;
   Watcher watcher_;
   Workspace workspace_;

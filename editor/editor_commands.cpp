@@ -20,13 +20,8 @@ void Editor::restore(const EditState* state) {
 }
 
 void Editor::takeCapture() {
-  const app::Level& level = *session_->level();
   app::Capture view;
-  std::error_code unknown;
-  // A sample's name says where it is; a path must do so from any folder.
-  view.level = level.name.find('/') == std::string::npos && !level.name.ends_with(".gltf") && !level.name.ends_with(".glb")
-                   ? level.name
-                   : std::filesystem::absolute(level.path, unknown).string();
+  view.level = levelText();
   view.camera = cameraIndex(), view.pose = camera_->pose();
   view.size = {viewWidth_, viewHeight_}, view.seconds = workspace_.seconds, view.debugView = workspace_.debugView;
   view.pluginFolder = options_.pluginFolder;
@@ -45,13 +40,16 @@ void Editor::perform(Command command) {
     case Command::kSearch: parameters_.search(); return;
     case Command::kResetCamera: workspace_.cameraReset = true; return;
     case Command::kQuit: window_->close(); return;
+    case Command::kOpenLevel:
+    case Command::kLoadPreset:
+    case Command::kSavePreset:
+    case Command::kComparePreset: return browse(command);
     case Command::kCapture: capture_.open = !capture_.open; return;
     case Command::kResetAll:
       session_->table().resetToDefaults();
       workspace_.changed = true;
       workspace_.tell("every parameter has its default value", false);
       return;
-    default: return;
   }
 }
 

@@ -1,5 +1,6 @@
 // One session at the window, as a user has it: each step is checked by what the editor says of itself and by pixels.
 #include <cstdlib>
+#include <fstream>
 
 #include "display.hpp"
 #include "image/image_io.hpp"
@@ -15,7 +16,7 @@ class SessionTest : public EditorTest {
   void start(std::vector<std::string> more = {}) {
     ASSERT_TRUE(haveProgram("xdotool"));
     std::vector<std::string> call{"hall", "--size", "960x640", "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64",
-                                  "--set", "shadows.resolution=256", "--screenshot", (folder_ / "window.png").string()};
+                                  "--set", "shadows.resolution=256", "--screenshot", (folder_ / "window.png").string(), "--settings", (folder_ / "settings.json").string()};
     call.insert(call.end(), more.begin(), more.end());
     startEditor(call);
     ASSERT_FALSE(waitFor([](const Json& s) { return s["frames"] >= 4; }).is_null()) << errors();
@@ -37,6 +38,14 @@ class SessionTest : public EditorTest {
     return done.is_null() ? "" : done["facts"]["capture.command"].get<std::string>();
   }
   /// Runs a captured command with another file for its picture.
+  /// Types a path into the file window that `key` opens.
+  void choose(const char* key, const fs::path& file) {
+    keys({"ctrl", key});
+    ASSERT_FALSE(waitFor([](const Json& s) { return s["widgets"].contains("file name"); }, 20).is_null());
+    input({"type", "--delay", "60", file.string()});
+    waitFrames(3);
+    keys({"Return"});
+  }
   int rerun(std::string command, const fs::path& captured, const fs::path& again) {
     const std::size_t at = command.find(captured.string());
     if (command.rfind("tyndall ", 0) != 0 || at == std::string::npos) return -1;
@@ -79,13 +88,27 @@ TEST_F(SessionTest, EditsAreUndoneAndCapturesAreMadeAgain) {
   EXPECT_TRUE(becomes("volumetrics.technique", "ray_march"));
   keys({"ctrl", "y"});
   EXPECT_TRUE(becomes("view.exposure", dragged));
+  // A preset is one step, and what it does not name has its default.
+  std::ofstream(folder_ / "p.json") << R"({"volumetrics.technique": "ray_march", "volumetrics.steps": 9, "shadows.resolution": 256})";
+  choose("l", folder_ / "p.json");
+  ASSERT_TRUE(becomes("volumetrics.steps", "9")) << state()["message"];
+  EXPECT_EQ(setting("view.exposure"), "1");
+  EXPECT_EQ(state()["history"]["steps"], 4);
+  choose("d", folder_ / "p.json");
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].value("compare.count", "") == "0"; }, 20).is_null());
+  keys({"ctrl", "z"});
+  ASSERT_TRUE(becomes("view.exposure", dragged));
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].value("compare.count", "") == "4"; }, 20).is_null()) << state()["facts"];
+  choose("s", folder_ / "saved");
+  ASSERT_FALSE(waitFor([&](const Json& s) { return s["message"].get<std::string>().starts_with("saved "); }, 20).is_null());
+  EXPECT_TRUE(fs::exists(folder_ / "saved.json"));
   // Look elsewhere, then capture; the command gives the same bytes.
   input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", "200", "300", "mousedown", "3"});
   waitFrames(3);
   input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", "263", "289"});
   waitFrames(3);
   input({"mouseup", "3"});
-  ASSERT_FALSE(waitFor([](const Json& s) { return s["camera"]["flown"] && s["history"]["steps"] == 4; }, 20).is_null()) << state().dump();
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["camera"]["flown"] && s["history"]["present"] == 3; }, 20).is_null()) << state()["history"];
   keys({"ctrl", "p"});
   click("capture folder");
   input({"type", "--delay", "60", folder_.string()});
@@ -114,6 +137,31 @@ TEST_F(SessionTest, EditsAreUndoneAndCapturesAreMadeAgain) {
       apart += here[0] != there[0] || here[1] != there[1] || here[2] != there[2];
     }
   EXPECT_LT(apart, seen / 100);
+}
+
+TEST_F(SessionTest, LevelsAreOpenedAndRemembered) {
+  std::ofstream(folder_ / "settings.json") << "{ broken";
+  start();
+  EXPECT_NE(state()["message"].get<std::string>().find("settings.json"), std::string::npos) << state()["message"];
+  EXPECT_TRUE(fs::exists(folder_ / "settings.json.broken"));
+  choose("o", folder_ / "nothing.glb");  // refused in the window, which stays
+  waitFrames(3);
+  EXPECT_TRUE(state()["widgets"].contains("file name"));
+  keys({"Escape"});
+  ASSERT_FALSE(waitFor([](const Json& s) { return !s["widgets"].contains("file name"); }, 20).is_null());
+  std::ofstream(folder_ / "bad.glb") << "no level";
+  choose("o", folder_ / "bad.glb");
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["message"].get<std::string>().find("bad.glb") != std::string::npos; }, 20).is_null());
+  EXPECT_EQ(state()["level"], "hall");
+  const fs::path vault = fs::path(TYNDALL_BIN_DIR) / "levels" / "vault" / "vault.glb";
+  choose("o", vault);
+  const Json opened = waitFor([&](const Json& s) { return s["level"] == vault.string(); }, 60);
+  ASSERT_FALSE(opened.is_null()) << state()["message"];
+  EXPECT_EQ(opened["history"]["steps"], 1);
+  quit();
+  std::ifstream kept(folder_ / "settings.json");
+  const Json settings = Json::parse(kept, nullptr, false);
+  EXPECT_EQ(settings["recent_levels"], Json({vault.string(), "hall"}));
 }
 
 }  // namespace
