@@ -226,12 +226,21 @@ void Editor::drawSide(float x, float y, float width, float height) {
   beginFixed("side", x, y, width, height, ImGuiWindowFlags_NoScrollWithMouse);
   drawControls(*session_, *camera_, workspace_);
   ImGui::Separator();
-  const float times = std::clamp(height * 0.3f, 90.0f, 260.0f);
+  const float times = std::clamp(height * 0.42f, 90.0f, 380.0f);
   ImGui::BeginChild("parameters", {0, std::max(ImGui::GetContentRegionAvail().y - times, 40.0f)});
   parameters_.draw(session_->catalogue(), workspace_);
   ImGui::EndChild();
   ImGui::Separator();
-  drawPassTimes(*session_);
+  if (ImGui::BeginTabBar("figures")) {
+    const auto tab = [this](const char* name) {
+      const bool open = ImGui::BeginTabItem(name);
+      workspace_.place(std::string("tab ") + name);
+      return open;
+    };
+    if (tab("times")) times_.draw(*session_, settings_.budgetMs, workspace_), ImGui::EndTabItem();
+    if (tab("memory, skipped")) times_.drawSkipped(*session_, workspace_), ImGui::EndTabItem();
+    ImGui::EndTabBar();
+  }
   ImGui::End();
 }
 

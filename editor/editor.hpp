@@ -22,6 +22,7 @@
 #include "state_file.hpp"
 #include "stress.hpp"
 #include "swapchain.hpp"
+#include "times_panel.hpp"
 #include "watcher.hpp"
 #include "window.hpp"
 #include "workspace.hpp"
@@ -93,6 +94,7 @@ class Editor {
 
   std::optional<FlyCamera> camera_;
   ParameterPanel parameters_;
+  TimesPanel times_;
   History history_;
   MenuBar menu_;
   Shortcuts shortcuts_;

@@ -153,7 +153,7 @@ TEST_F(SessionTest, LevelsAreOpenedAndRemembered) {
   choose("o", folder_ / "bad.glb");
   ASSERT_FALSE(waitFor([](const Json& s) { return s["message"].get<std::string>().find("bad.glb") != std::string::npos; }, 20).is_null());
   EXPECT_EQ(state()["level"], "hall");
-  const fs::path vault = fs::path(TYNDALL_BIN_DIR) / "levels" / "vault" / "vault.glb";
+  const fs::path vault = fs::path(TYNDALL_BIN_DIR) / "levels" / "vault.glb";
   choose("o", vault);
   const Json opened = waitFor([&](const Json& s) { return s["level"] == vault.string(); }, 60);
   ASSERT_FALSE(opened.is_null()) << state()["message"];
