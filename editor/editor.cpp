@@ -91,6 +91,7 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   const scene::Bounds bounds = scene::worldBounds(level->scene, level->worldFromNode(options.seconds));
   editor->camera_.emplace(bounds.empty() ? 10.0f : glm::length(bounds.max - bounds.min));
   if (auto set = editor->session_->setLevel(level.take()); !set) return set.error();
+  editor->noticeLevel();
   auto swapchain = Swapchain::create(editor->session_->device(), *editor->window_);
   if (!swapchain) return swapchain.error();
   editor->swapchain_ = swapchain.take();
@@ -139,6 +140,7 @@ Result<void> Editor::run() {
 Result<bool> Editor::step() {
   auto fits = swapchain_->fit(window_->pixels());
   if (!fits || !*fits) return fits;
+  noticeLevel();
   watcher_.check(*session_, workspace_);
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
@@ -218,6 +220,7 @@ void Editor::drawViewport(float y, float width, float height) {
   ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(Texture::kPicture), low, {low.x + width, low.y + height});
   viewLow_ = {low.x, low.y}, viewSize_ = {width, height};
   research_->drawOver(*ImGui::GetWindowDrawList(), workspace_, viewport());
+  lights_.drawOver(*ImGui::GetWindowDrawList(), *session_, {camera_->view(fileCamera()), viewLow_, viewSize_, viewHovered_}, workspace_);
   ImGui::End();
   ImGui::PopStyleVar();
 }
@@ -239,6 +242,7 @@ void Editor::drawSide(float x, float y, float width, float height) {
     };
     if (tab("times")) times_.draw(*session_, settings_.budgetMs, workspace_), ImGui::EndTabItem();
     if (tab("memory, skipped")) times_.drawSkipped(*session_, workspace_), ImGui::EndTabItem();
+    if (tab("lights")) lights_.draw(*session_, workspace_), ImGui::EndTabItem();
     ImGui::EndTabBar();
   }
   ImGui::End();

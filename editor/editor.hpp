@@ -12,6 +12,7 @@
 #include "fly_camera.hpp"
 #include "history.hpp"
 #include "imgui_renderer.hpp"
+#include "lights_panel.hpp"
 #include "menu_bar.hpp"
 #include "options.hpp"
 #include "parameter_panel.hpp"
@@ -65,6 +66,7 @@ class Editor {
   EditState editState() const;
   std::string levelText() const;          ///< the level as a sample's name or an absolute path
   void takeCapture();
+  void noticeLevel();                     ///< what belongs to a level starts anew when it is another, whoever set it
   void openLevel(const std::string& level);
   void browse(Command command);           ///< opens the file window for it
   void fileChosen(const std::filesystem::path& file);
@@ -95,6 +97,9 @@ class Editor {
   std::optional<FlyCamera> camera_;
   ParameterPanel parameters_;
   TimesPanel times_;
+  LightsPanel lights_;
+  std::uint64_t levelsSeen_ = 0;
+  LightEdits lightsSeen_;                 ///< that levelEdits counts
   History history_;
   MenuBar menu_;
   Shortcuts shortcuts_;

@@ -3,17 +3,23 @@
 
 namespace tyndall::editor {
 
-EditState Editor::editState() const { return {settingsOf(session_->table()), camera_->pose(), {}}; }
+EditState Editor::editState() const {
+  return {settingsOf(session_->table()), camera_->pose(), changedLights(session_->level()->scene, lights_.file())};
+}
 
 void Editor::watchEdits() {
   const bool held = ImGui::IsAnyItemActive() || parameters_.pending();
-  history_.observe(session_->table(), editState(), held || moving_);
+  const EditState now = editState();
+  // The research windows take a copy of the level for each edit of its lights: not while one is dragged.
+  if (history_.observe(session_->table(), now, held || moving_) && now.lights != lightsSeen_) lightsSeen_ = now.lights, ++workspace_.levelEdits;
 }
 
 void Editor::restore(const EditState* state) {
   if (!state) return;
   const std::vector<std::string> refused = applySettings(session_->table(), state->settings);
   camera_->setPose(state->pose);
+  applyLights(session_->editScene(), lights_.file(), state->lights);
+  if (state->lights != lightsSeen_) lightsSeen_ = state->lights, ++workspace_.levelEdits;
   workspace_.changed = true;
   if (!refused.empty()) workspace_.tell("a value of then has no meaning now: " + refused.front(), true);
   else workspace_.tell(history_.steps()[history_.present()].label, false);
@@ -25,7 +31,7 @@ void Editor::takeCapture() {
   view.camera = cameraIndex(), view.pose = camera_->pose();
   view.size = {viewWidth_, viewHeight_}, view.seconds = workspace_.seconds, view.debugView = workspace_.debugView;
   view.pluginFolder = options_.pluginFolder;
-  auto done = capture_.take(*session_, view);
+  auto done = capture_.take(*session_, view, !editState().lights.empty());
   workspace_.changed = true;
   if (!done) return workspace_.tell(done.error().message, true);
   workspace_.tell("captured; the command is in the clipboard", false);

@@ -18,6 +18,15 @@ std::string Editor::levelText() const {
   return sample ? level.name : fs::absolute(level.path, unknown).string();
 }
 
+void Editor::noticeLevel() {
+  if (session_->levelsSet() == levelsSeen_) return;
+  levelsSeen_ = session_->levelsSet();
+  lights_.reset(session_->editScene());
+  lightsSeen_.clear();
+  history_.clear();  // its cameras and lights are of another place
+  ++workspace_.levelEdits;
+}
+
 void Editor::openLevel(const std::string& text) {
   auto level = app::loadLevel(text);
   if (!level) return workspace_.tell(level.error().message, true);
@@ -30,10 +39,9 @@ void Editor::openLevel(const std::string& text) {
     if (auto back = session_->setLevel(std::move(before)); !back) levelLost_ = back.error();
     return workspace_.tell(reason + "; the level before stays", true);
   }
+  noticeLevel();
   camera_.emplace(bounds.empty() ? 10.0f : glm::length(bounds.max - bounds.min));
   workspace_.seconds = 0, workspace_.playing = false, workspace_.changed = true;
-  ++workspace_.levelEdits;
-  history_.clear();  // its cameras are of another place
   options_.camera = 0;
   settings_.opened(levelText());
   window_->setTitle("Tyndall - " + session_->level()->name);

@@ -11,6 +11,13 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+/// The first light in the list; "" while there is none.
+std::string lightOf(const Json& state) {
+  for (const auto& [name, place] : state["widgets"].items())
+    if (name.starts_with("light at ")) return name;
+  return "";
+}
+
 class SessionTest : public EditorTest {
  protected:
   void start(std::vector<std::string> more = {}) {
@@ -158,6 +165,39 @@ TEST_F(SessionTest, LevelsAreOpenedAndRemembered) {
   const Json opened = waitFor([&](const Json& s) { return s["level"] == vault.string(); }, 60);
   ASSERT_FALSE(opened.is_null()) << state()["message"];
   EXPECT_EQ(opened["history"]["steps"], 1);
+  // A light is edited, undone, and in a capture, whose command finds it in a file of its own.
+  click("tab lights");
+  ASSERT_FALSE(waitFor([](const Json& s) { return lightOf(s) != ""; }, 20).is_null());
+  click(lightOf(state()));
+  const Json chosen = waitFor([](const Json& s) { return s["facts"].contains("light.intensity") && s["widgets"].contains("handle y"); }, 20);
+  ASSERT_FALSE(chosen.is_null()) << state()["facts"];
+  const Json handle = chosen["widgets"]["handle y"];
+  const auto mouse = [&](double up) {
+    input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", std::to_string(static_cast<int>(handle[0].get<double>() + 4)),
+           std::to_string(static_cast<int>(handle[1].get<double>() + 4 - up))});
+    waitFrames(3);
+  };
+  const auto place = [](const Json& s) { return s["facts"].value("light.translation", ""); };
+  mouse(0), input({"mousedown", "1"}), waitFrames(3), mouse(10), mouse(24), input({"mouseup", "1"});
+  const Json moved = waitFor([&](const Json& s) { return place(s) != place(chosen) && s["history"]["present"] == 1; }, 20);
+  ASSERT_FALSE(moved.is_null()) << state()["facts"] << state()["history"];
+  keys({"ctrl", "z"});
+  ASSERT_FALSE(waitFor([&](const Json& s) { return place(s) == place(chosen); }, 20).is_null());
+  keys({"ctrl", "y"});
+  ASSERT_FALSE(waitFor([&](const Json& s) { return place(s) == place(moved); }, 20).is_null());
+  keys({"ctrl", "p"});
+  click("capture folder");
+  input({"type", "--delay", "60", folder_.string()});
+  waitFrames(3);
+  const std::string command = capture();
+  const fs::path captured = folder_ / "vault-001.png", again = folder_ / "again.png", untouched = folder_ / "untouched.png";
+  ASSERT_TRUE(fs::exists(folder_ / "vault-001.glb")) << state()["message"];
+  ASSERT_EQ(rerun(command, captured, again), 0);
+  EXPECT_TRUE(readAll(captured) == readAll(again));
+  std::string before = command;  // with the level as it was
+  before.replace(before.find((folder_ / "vault-001.glb").string()), (folder_ / "vault-001.glb").string().size(), vault.string());
+  ASSERT_EQ(rerun(before, captured, untouched), 0);
+  EXPECT_FALSE(readAll(captured) == readAll(untouched));
   quit();
   std::ifstream kept(folder_ / "settings.json");
   const Json settings = Json::parse(kept, nullptr, false);
