@@ -145,6 +145,7 @@ Result<bool> Editor::step() {
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
   workspace_.widgets.clear();
+  workspace_.facts.clear();
   drawWindows();
   steer();
   watchEdits();

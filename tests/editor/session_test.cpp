@@ -165,13 +165,23 @@ TEST_F(SessionTest, LevelsAreOpenedAndRemembered) {
   const Json opened = waitFor([&](const Json& s) { return s["level"] == vault.string(); }, 60);
   ASSERT_FALSE(opened.is_null()) << state()["message"];
   EXPECT_EQ(opened["history"]["steps"], 1);
+  // The lights hang high: look up.
+  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", "200", "450", "mousedown", "3"});
+  waitFrames(3);
+  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", "200", "270"});
+  waitFrames(3);
+  input({"mouseup", "3"});
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["history"]["present"] == 1; }, 20).is_null());
   // A light is edited, undone, and in a capture, whose command finds it in a file of its own.
   click("tab lights");
   ASSERT_FALSE(waitFor([](const Json& s) { return lightOf(s) != ""; }, 20).is_null());
   click(lightOf(state()));
   const Json chosen = waitFor([](const Json& s) { return s["facts"].contains("light.intensity") && s["widgets"].contains("handle y"); }, 20);
   ASSERT_FALSE(chosen.is_null()) << state()["facts"];
-  const Json handle = chosen["widgets"]["handle y"];
+  const Json handle = chosen["widgets"]["handle y"], viewport = chosen["widgets"]["viewport"];
+  ASSERT_GT(handle[1], 60) << handle;
+  ASSERT_LT(handle[1], viewport[3]) << handle;
+  ASSERT_LT(handle[0], viewport[2]) << handle;
   const auto mouse = [&](double up) {
     input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", std::to_string(static_cast<int>(handle[0].get<double>() + 4)),
            std::to_string(static_cast<int>(handle[1].get<double>() + 4 - up))});
@@ -179,7 +189,7 @@ TEST_F(SessionTest, LevelsAreOpenedAndRemembered) {
   };
   const auto place = [](const Json& s) { return s["facts"].value("light.translation", ""); };
   mouse(0), input({"mousedown", "1"}), waitFrames(3), mouse(10), mouse(24), input({"mouseup", "1"});
-  const Json moved = waitFor([&](const Json& s) { return place(s) != place(chosen) && s["history"]["present"] == 1; }, 20);
+  const Json moved = waitFor([&](const Json& s) { return place(s) != place(chosen) && s["history"]["present"] == 2; }, 20);
   ASSERT_FALSE(moved.is_null()) << state()["facts"] << state()["history"];
   keys({"ctrl", "z"});
   ASSERT_FALSE(waitFor([&](const Json& s) { return place(s) == place(chosen); }, 20).is_null());
