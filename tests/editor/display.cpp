@@ -106,7 +106,8 @@ void EditorTest::TearDown() {
 
 void EditorTest::startEditor(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), std::string(TYNDALL_BIN_DIR) + "/tyndall-editor");
-  arguments.insert(arguments.end(), {"--print-state", (folder_ / "state.json").string()});
+  // What is remembered between runs is the user's own: a test leaves it alone.
+  arguments.insert(arguments.end(), {"--print-state", (folder_ / "state.json").string(), "--settings", (folder_ / "settings.json").string()});
   editor_.start(arguments, display_, folder_ / "editor.err");
 }
 

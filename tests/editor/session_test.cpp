@@ -23,7 +23,7 @@ class SessionTest : public EditorTest {
   void start(std::vector<std::string> more = {}) {
     ASSERT_TRUE(haveProgram("xdotool"));
     std::vector<std::string> call{"hall", "--size", "960x640", "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64",
-                                  "--set", "shadows.resolution=256", "--screenshot", (folder_ / "window.png").string(), "--settings", (folder_ / "settings.json").string()};
+                                  "--set", "shadows.resolution=256", "--screenshot", (folder_ / "window.png").string()};
     call.insert(call.end(), more.begin(), more.end());
     startEditor(call);
     ASSERT_FALSE(waitFor([](const Json& s) { return s["frames"] >= 4; }).is_null()) << errors();
