@@ -41,7 +41,8 @@ std::string CapturePanel::freeBase(const std::string& level) const {
     const std::string base = stem + digits;
     bool taken = false;
     std::error_code unreadable;
-    for (const char* extension : {kPicture, kScatter, kDepth, kStats, kLevel}) taken = taken || fs::exists(fileOf(base, extension), unreadable);
+    for (const char* extension : {kPicture, kScatter, kDepth, kStats, kLevel})
+      taken = taken || fs::exists(fileOf(base, extension), unreadable);
     if (!taken) return base;
   }
 }
@@ -54,7 +55,8 @@ Result<void> CapturePanel::take(app::Session& session, app::Capture view, bool l
   if (stats) view.stats = fileOf(base_, kStats);
   if (lightsEdited) {
     view.level = fileOf(base_, kLevel).string();
-    if (auto written = scene::writeGlb(session.level()->scene, view.level); !written) return Error{"capture: " + written.error().message, written.error().kind};
+    if (auto written = scene::writeGlb(session.level()->scene, view.level); !written)
+      return Error{"capture: " + written.error().message, written.error().kind};
   }
   // The frames of a capture are of the table's values, not of those before, as they may be while something is built.
   session.buildInBackground(false);

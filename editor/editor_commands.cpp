@@ -11,7 +11,8 @@ void Editor::watchEdits() {
   const bool held = ImGui::IsAnyItemActive() || parameters_.pending();
   const EditState now = editState();
   // The research windows take a copy of the level for each edit of its lights: not while one is dragged.
-  if (history_.observe(session_->table(), now, held || moving_) && now.lights != lightsSeen_) lightsSeen_ = now.lights, ++workspace_.levelEdits;
+  if (history_.observe(session_->table(), now, held || moving_) && now.lights != lightsSeen_)
+    lightsSeen_ = now.lights, ++workspace_.levelEdits;
 }
 
 void Editor::restore(const EditState* state) {
@@ -21,8 +22,10 @@ void Editor::restore(const EditState* state) {
   applyLights(session_->editScene(), lights_.file(), state->lights);
   if (state->lights != lightsSeen_) lightsSeen_ = state->lights, ++workspace_.levelEdits;
   workspace_.changed = true;
-  if (!refused.empty()) workspace_.tell("a value of then has no meaning now: " + refused.front(), true);
-  else workspace_.tell(history_.steps()[history_.present()].label, false);
+  if (!refused.empty())
+    workspace_.tell("a value of then has no meaning now: " + refused.front(), true);
+  else
+    workspace_.tell(history_.steps()[history_.present()].label, false);
 }
 
 void Editor::takeCapture() {

@@ -8,12 +8,15 @@ namespace fs = std::filesystem;
 Editor::Editor(const Options& options)
     : options_(options),
       // Random use and pictures of N frames are no user's session: they leave no trace unless a file is named.
-      settingsFile_(!options.settings.empty() ? options.settings : options.frames > 0 || options.stress > 0 ? fs::path() : settingsPath()),
+      settingsFile_(!options.settings.empty()                  ? options.settings
+                    : options.frames > 0 || options.stress > 0 ? fs::path()
+                                                               : settingsPath()),
       state_(options.state) {}
 
 std::string Editor::levelText() const {
   const app::Level& level = *session_->level();
-  const bool sample = level.name.find('/') == std::string::npos && !level.name.ends_with(".gltf") && !level.name.ends_with(".glb");
+  const bool sample =
+      level.name.find('/') == std::string::npos && !level.name.ends_with(".gltf") && !level.name.ends_with(".glb");
   std::error_code unknown;
   return sample ? level.name : fs::absolute(level.path, unknown).string();
 }
@@ -50,9 +53,13 @@ void Editor::openLevel(const std::string& text) {
 
 void Editor::browse(Command command) {
   filesFor_ = command;
-  if (command == Command::kOpenLevel) files_.open("Open level", FileBrowser::Mode::kOpen, {".gltf", ".glb"}, settings_.levelFolder);
-  else if (command == Command::kSavePreset) files_.open("Save preset", FileBrowser::Mode::kSave, {".json"}, settings_.presetFolder);
-  else files_.open(command == Command::kLoadPreset ? "Load preset" : "Compare with preset", FileBrowser::Mode::kOpen, {".json"}, settings_.presetFolder);
+  if (command == Command::kOpenLevel)
+    files_.open("Open level", FileBrowser::Mode::kOpen, {".gltf", ".glb"}, settings_.levelFolder);
+  else if (command == Command::kSavePreset)
+    files_.open("Save preset", FileBrowser::Mode::kSave, {".json"}, settings_.presetFolder);
+  else
+    files_.open(command == Command::kLoadPreset ? "Load preset" : "Compare with preset", FileBrowser::Mode::kOpen,
+                {".json"}, settings_.presetFolder);
 }
 
 void Editor::fileChosen(const fs::path& file) {
@@ -83,8 +90,10 @@ void Editor::drawComparison() {
     ImGui::TextColored(kDimColor, "%s", compared_.string().c_str());
     // Read again in each frame: the file may be written by another hand, and is a page of text.
     auto differences = comparePreset(session_->table(), compared_);
-    if (!differences) ImGui::TextColored(kErrorColor, "%s", differences.error().message.c_str());
-    else if (differences->empty()) ImGui::TextUnformatted("no value differs");
+    if (!differences)
+      ImGui::TextColored(kErrorColor, "%s", differences.error().message.c_str());
+    else if (differences->empty())
+      ImGui::TextUnformatted("no value differs");
     else if (ImGui::BeginTable("values", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
       for (const char* title : {"parameter", "here", "preset"}) ImGui::TableSetupColumn(title);
       ImGui::TableHeadersRow();
@@ -106,7 +115,8 @@ void Editor::drawComparison() {
 void Editor::keepSettings() {
   capture_.keep(settings_);
   if (ImGui::IsAnyItemActive()) return;  // a text is being typed
-  if (auto written = settingsFile_.write(settings_); !written) workspace_.tell("settings: " + written.error().message, true);
+  if (auto written = settingsFile_.write(settings_); !written)
+    workspace_.tell("settings: " + written.error().message, true);
 }
 
 }  // namespace tyndall::editor

@@ -41,11 +41,15 @@ void FileBrowser::read() {
     std::error_code unknown;  // a link to nothing, say: shown as neither
     const std::string name = at->path().filename().string();
     if (name.starts_with('.')) continue;
-    if (at->is_directory(unknown)) entries_.push_back({name, true});
-    else if (std::find(extensions_.begin(), extensions_.end(), lower(at->path().extension().string())) != extensions_.end()) entries_.push_back({name, false});
+    if (at->is_directory(unknown))
+      entries_.push_back({name, true});
+    else if (std::find(extensions_.begin(), extensions_.end(), lower(at->path().extension().string())) !=
+             extensions_.end())
+      entries_.push_back({name, false});
   }
   if (unreadable) problem_ = "this folder cannot be read: " + unreadable.message();
-  std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
+  std::sort(entries_.begin(), entries_.end(),
+            [](const Entry& a, const Entry& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
 }
 
 std::optional<fs::path> FileBrowser::accept() {
@@ -80,7 +84,8 @@ std::optional<fs::path> FileBrowser::draw(Workspace& workspace) {
   ImGui::SetNextWindowPos({80, 70}, ImGuiCond_FirstUseEver);
   const bool appearing = std::exchange(appearing_, false);
   if (appearing) ImGui::SetNextWindowFocus();
-  if (ImGui::Begin((title_ + "###files").c_str(), &open_, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
+  if (ImGui::Begin((title_ + "###files").c_str(), &open_,
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
     if (ImGui::Button("up")) go(folder_.parent_path());
     workspace.place("file up");
     ImGui::SameLine();
@@ -88,7 +93,9 @@ std::optional<fs::path> FileBrowser::draw(Workspace& workspace) {
     std::optional<Entry> clicked;
     ImGui::BeginChild("entries", {0, -2 * ImGui::GetFrameHeightWithSpacing()}, true);
     for (const Entry& entry : entries_) {
-      if (ImGui::Selectable((entry.name + (entry.folder ? "/" : "")).c_str(), entry.name == name_.data(), ImGuiSelectableFlags_AllowDoubleClick)) clicked = entry;
+      if (ImGui::Selectable((entry.name + (entry.folder ? "/" : "")).c_str(), entry.name == name_.data(),
+                            ImGuiSelectableFlags_AllowDoubleClick))
+        clicked = entry;
       workspace.place("file " + entry.name);
     }
     ImGui::EndChild();
@@ -109,7 +116,9 @@ std::optional<fs::path> FileBrowser::draw(Workspace& workspace) {
       taken = taken || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     }
     if (taken) chosen = accept();
-    if (ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) open_ = false;
+    if (ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) &&
+        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+      open_ = false;
   }
   ImGui::End();
   return chosen;

@@ -8,7 +8,8 @@ namespace {
 // A step of a few changed settings is about a kilobyte: enough for a day's work in some tens of megabytes.
 constexpr std::size_t kMaxSteps = 20000;
 
-std::string shown(const params::Table& table, const std::map<std::string, std::string>& settings, const std::string& id) {
+std::string shown(const params::Table& table, const std::map<std::string, std::string>& settings,
+                  const std::string& id) {
   const auto found = settings.find(id);
   if (found != settings.end()) return found->second;
   const params::Parameter* parameter = table.find(id);
@@ -25,14 +26,15 @@ std::string labelOf(const params::Table& table, const EditState& before, const E
   const auto add = [&label](const std::string& text) { label += (label.empty() ? "" : ", ") + text; };
   if (changed.size() == 1) {
     const params::Parameter* parameter = table.find(*changed.begin());
-    add((parameter ? parameter->name : *changed.begin()) + " " + shown(table, before.settings, *changed.begin()) + " -> " +
-        shown(table, after.settings, *changed.begin()));
+    add((parameter ? parameter->name : *changed.begin()) + " " + shown(table, before.settings, *changed.begin()) +
+        " -> " + shown(table, after.settings, *changed.begin()));
   } else if (!changed.empty()) {
     add(std::to_string(changed.size()) + " settings");
   }
   if (before.lights != after.lights) add("light");
   if (before.pose != after.pose) add(after.pose ? "camera" : "camera to the file's");
-  return label.empty() ? "default values" : label;  // a value that was set to its default is set no longer, or the reverse
+  return label.empty() ? "default values"
+                       : label;  // a value that was set to its default is set no longer, or the reverse
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Undo and redo. The history is not told of edits, it sees them: whatever changes the state - a slider, a preset, a click
-// into a plot, a flight - is a step once the hand is off it. Knows neither window nor device.
+// Undo and redo. The history is not told of edits, it sees them: whatever changes the state - a slider, a preset, a
+// click into a plot, a flight - is a step once the hand is off it. Knows neither window nor device.
 #pragma once
 
 #include <map>
@@ -14,8 +14,8 @@
 
 namespace tyndall::editor {
 
-/// All that an edit can change. Settings: those set explicitly, as text (a reloaded plugin may number its choices anew);
-/// the others have their defaults.
+/// All that an edit can change. Settings: those set explicitly, as text (a reloaded plugin may number its choices
+/// anew); the others have their defaults.
 struct EditState {
   std::map<std::string, std::string> settings;
   std::optional<app::Pose> pose;  ///< of a camera that was flown

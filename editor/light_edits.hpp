@@ -11,10 +11,10 @@ namespace tyndall::editor {
 /// What can be edited of a light. Units are the scene's.
 struct LightEdit {
   glm::vec3 color{1};
-  float intensity = 1;                   ///< lux, or candela for a spot or point light
-  std::optional<float> range;            ///< metres; nothing: infinite
+  float intensity = 1;                           ///< lux, or candela for a spot or point light
+  std::optional<float> range;                    ///< metres; nothing: infinite
   float innerConeAngle = 0, outerConeAngle = 0;  ///< radians
-  glm::vec3 translation{0};              ///< of the light's node, in its parent's space, metres
+  glm::vec3 translation{0};                      ///< of the light's node, in its parent's space, metres
   bool operator==(const LightEdit&) const = default;
 };
 

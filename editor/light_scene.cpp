@@ -21,8 +21,9 @@ LightEdits lightsOf(const scene::Scene& scene) {
     const scene::Node& node = scene.nodes[i];
     if (node.light == scene::kNone) continue;
     const scene::Light& light = scene.lights[static_cast<std::size_t>(node.light)];
-    lights[static_cast<int>(i)] = {light.color, light.intensity, light.range, light.innerConeAngle, light.outerConeAngle,
-                                   node.matrix ? glm::vec3((*node.matrix)[3]) : node.translation};
+    lights[static_cast<int>(i)] = {light.color,          light.intensity,
+                                   light.range,          light.innerConeAngle,
+                                   light.outerConeAngle, node.matrix ? glm::vec3((*node.matrix)[3]) : node.translation};
   }
   return lights;
 }
@@ -45,8 +46,10 @@ void setLight(scene::Scene& scene, int index, const LightEdit& edit) {
   scene::Light& light = scene.lights[static_cast<std::size_t>(node.light)];
   light.color = edit.color, light.intensity = edit.intensity, light.range = edit.range;
   light.innerConeAngle = edit.innerConeAngle, light.outerConeAngle = edit.outerConeAngle;
-  if (node.matrix) (*node.matrix)[3] = glm::vec4(edit.translation, 1);
-  else node.translation = edit.translation;
+  if (node.matrix)
+    (*node.matrix)[3] = glm::vec4(edit.translation, 1);
+  else
+    node.translation = edit.translation;
 }
 
 bool isMoved(const scene::Scene& scene, int node) {
@@ -56,7 +59,8 @@ bool isMoved(const scene::Scene& scene, int node) {
   return false;
 }
 
-glm::vec3 localStep(const scene::Scene& scene, const std::vector<glm::mat4>& worldFromNode, int node, const glm::vec3& step) {
+glm::vec3 localStep(const scene::Scene& scene, const std::vector<glm::mat4>& worldFromNode, int node,
+                    const glm::vec3& step) {
   const std::int32_t parent = scene.nodes[static_cast<std::size_t>(node)].parent;
   if (parent == scene::kNone) return step;
   const glm::mat3 worldFromParent(worldFromNode[static_cast<std::size_t>(parent)]);

@@ -19,6 +19,7 @@ void setLight(scene::Scene& scene, int node, const LightEdit& edit);
 /// Whether an animation places the node: its translation is then not for the hand to change.
 bool isMoved(const scene::Scene& scene, int node);
 /// The step of the node's translation that moves it by `step` in the world.
-glm::vec3 localStep(const scene::Scene& scene, const std::vector<glm::mat4>& worldFromNode, int node, const glm::vec3& step);
+glm::vec3 localStep(const scene::Scene& scene, const std::vector<glm::mat4>& worldFromNode, int node,
+                    const glm::vec3& step);
 
 }  // namespace tyndall::editor

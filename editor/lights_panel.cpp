@@ -23,7 +23,8 @@ const char* kindName(scene::LightKind kind) {
   return "";
 }
 
-bool number(const char* name, float& value, float speed, float low, float high, const char* format, Workspace& workspace, ImGuiSliderFlags flags = 0) {
+bool number(const char* name, float& value, float speed, float low, float high, const char* format,
+            Workspace& workspace, ImGuiSliderFlags flags = 0) {
   ImGui::SetNextItemWidth(-90);
   const bool changed = ImGui::DragFloat(name, &value, speed, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
   workspace.place(std::string("light ") + name);
@@ -60,7 +61,9 @@ void LightsPanel::draw(app::Session& session, Workspace& workspace) {
   const scene::Scene& scene = session.level()->scene;
   if (file_.empty()) return ImGui::TextWrapped("The file has no light; the sun that it gets instead cannot be edited.");
   const LightEdits changed = changedLights(scene, file_);
-  ImGui::BeginChild("lights", {0, std::min(ImGui::GetContentRegionAvail().y * 0.4f, ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(file_.size() + 1))});
+  ImGui::BeginChild("lights",
+                    {0, std::min(ImGui::GetContentRegionAvail().y * 0.4f,
+                                 ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(file_.size() + 1))});
   for (const auto& [node, unused] : file_) {
     const scene::Node& at = scene.nodes[static_cast<std::size_t>(node)];
     const scene::Light& light = scene.lights[static_cast<std::size_t>(at.light)];
@@ -74,8 +77,10 @@ void LightsPanel::draw(app::Session& session, Workspace& workspace) {
   }
   ImGui::EndChild();
   ImGui::Separator();
-  if (selected_) fields(session, workspace);
-  else ImGui::TextColored(kDimColor, "select one here or in the picture");
+  if (selected_)
+    fields(session, workspace);
+  else
+    ImGui::TextColored(kDimColor, "select one here or in the picture");
 }
 
 void LightsPanel::fields(app::Session& session, Workspace& workspace) {
@@ -84,7 +89,8 @@ void LightsPanel::fields(app::Session& session, Workspace& workspace) {
   const scene::Light& light = scene.lights[static_cast<std::size_t>(node.light)];
   LightEdit edit = lightsOf(scene).at(*selected_);
   workspace.facts["light.intensity"] = std::to_string(edit.intensity);
-  workspace.facts["light.translation"] = std::to_string(edit.translation.x) + " " + std::to_string(edit.translation.y) + " " + std::to_string(edit.translation.z);
+  workspace.facts["light.translation"] = std::to_string(edit.translation.x) + " " + std::to_string(edit.translation.y) +
+                                         " " + std::to_string(edit.translation.z);
   ImGui::BeginChild("fields");
   const bool sun = light.kind == scene::LightKind::kDirectional;
   bool changed = false;
@@ -94,24 +100,30 @@ void LightsPanel::fields(app::Session& session, Workspace& workspace) {
     changed = true;
   }
   workspace.place("light colour");
-  changed |= number(sun ? "lux" : "candela", edit.intensity, std::max(edit.intensity, 0.01f) * 0.01f, 0, kMaxIntensity, "%.4g", workspace);
+  changed |= number(sun ? "lux" : "candela", edit.intensity, std::max(edit.intensity, 0.01f) * 0.01f, 0, kMaxIntensity,
+                    "%.4g", workspace);
   if (!sun) {
     bool limited = edit.range.has_value();
-    if (ImGui::Checkbox("range ends", &limited)) edit.range = limited ? std::optional(10.0f) : std::nullopt, changed = true;
+    if (ImGui::Checkbox("range ends", &limited))
+      edit.range = limited ? std::optional(10.0f) : std::nullopt, changed = true;
     workspace.place("light range ends");
     if (edit.range) changed |= number("range", *edit.range, 0.05f, 0.01f, kMaxMetres, "%.3g m", workspace);
   }
   if (light.kind == scene::LightKind::kSpot) {
     float outer = glm::degrees(edit.outerConeAngle), inner = glm::degrees(edit.innerConeAngle);
-    if (number("outer cone", outer, 0.2f, 1, kMaxCone, "%.2f deg", workspace)) edit.outerConeAngle = glm::radians(outer), changed = true;
-    if (number("inner cone", inner, 0.2f, 0, std::max(outer - kConeGap, 0.0f), "%.2f deg", workspace)) edit.innerConeAngle = glm::radians(inner), changed = true;
-    if (changed && edit.innerConeAngle >= edit.outerConeAngle) edit.innerConeAngle = std::max(edit.outerConeAngle - glm::radians(kConeGap), 0.0f);
+    if (number("outer cone", outer, 0.2f, 1, kMaxCone, "%.2f deg", workspace))
+      edit.outerConeAngle = glm::radians(outer), changed = true;
+    if (number("inner cone", inner, 0.2f, 0, std::max(outer - kConeGap, 0.0f), "%.2f deg", workspace))
+      edit.innerConeAngle = glm::radians(inner), changed = true;
+    if (changed && edit.innerConeAngle >= edit.outerConeAngle)
+      edit.innerConeAngle = std::max(edit.outerConeAngle - glm::radians(kConeGap), 0.0f);
   }
   if (isMoved(scene, *selected_)) {
     ImGui::TextColored(kDimColor, "an animation places it");
   } else {
     ImGui::SetNextItemWidth(-90);
-    changed |= ImGui::DragFloat3("position", &edit.translation.x, 0.02f, -kMaxMetres, kMaxMetres, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+    changed |= ImGui::DragFloat3("position", &edit.translation.x, 0.02f, -kMaxMetres, kMaxMetres, "%.2f",
+                                 ImGuiSliderFlags_AlwaysClamp);
     workspace.place("light position");
   }
   if (edit != file_.at(*selected_)) {
@@ -136,16 +148,20 @@ void LightsPanel::drawOver(ImDrawList& list, app::Session& session, const Viewpo
   std::optional<int> nearest;
   float nearestDistance = kGrab;
   for (const auto& [node, unused] : file_) {
-    const scene::Light& light = scene.lights[static_cast<std::size_t>(scene.nodes[static_cast<std::size_t>(node)].light)];
+    const scene::Light& light =
+        scene.lights[static_cast<std::size_t>(scene.nodes[static_cast<std::size_t>(node)].light)];
     if (light.kind == scene::LightKind::kDirectional) continue;  // a sun is nowhere
     const auto at = onScreen(viewport, glm::vec3(worldFromNode[static_cast<std::size_t>(node)][3]));
     if (!at) continue;
-    list.AddCircle(toImGui(*at), 6, node == selected_ ? IM_COL32(255, 204, 89, 255) : IM_COL32(255, 255, 255, 160), 16, 2);
-    if (const float distance = glm::distance(*at, mouse); distance < nearestDistance) nearest = node, nearestDistance = distance;
+    list.AddCircle(toImGui(*at), 6, node == selected_ ? IM_COL32(255, 204, 89, 255) : IM_COL32(255, 255, 255, 160), 16,
+                   2);
+    if (const float distance = glm::distance(*at, mouse); distance < nearestDistance)
+      nearest = node, nearestDistance = distance;
   }
   if (selected_ && !isMoved(scene, *selected_)) {
     const glm::vec3 place(worldFromNode[static_cast<std::size_t>(*selected_)][3]);
-    const scene::LightKind kind = scene.lights[static_cast<std::size_t>(scene.nodes[static_cast<std::size_t>(*selected_)].light)].kind;
+    const scene::LightKind kind =
+        scene.lights[static_cast<std::size_t>(scene.nodes[static_cast<std::size_t>(*selected_)].light)].kind;
     const auto at = onScreen(viewport, place);
     if (at && kind != scene::LightKind::kDirectional) {
       // A handle is a part of the axis that spans about as many points wherever the light is.
@@ -161,7 +177,8 @@ void LightsPanel::drawOver(ImDrawList& list, app::Session& session, const Viewpo
         list.AddCircleFilled(toImGui(*end), 5, colour);
         workspace.widgets[std::string("handle ") + "xyz"[i]] = {end->x - 4, end->y - 4, 8, 8};
         const glm::vec2 perMetre = (*end - *at) / metres;
-        if (pressed && glm::distance(*end, mouse) < kGrab && glm::length(perMetre) * metres > 4) {  // one that points at the eye leads nowhere
+        if (pressed && glm::distance(*end, mouse) < kGrab &&
+            glm::length(perMetre) * metres > 4) {  // one that points at the eye leads nowhere
           drag_ = Drag{axis, lightsOf(scene).at(*selected_).translation, mouse, perMetre};
           nearest.reset();
         }
@@ -172,7 +189,8 @@ void LightsPanel::drawOver(ImDrawList& list, app::Session& session, const Viewpo
   if (drag_ && selected_) {
     const float along = glm::dot(mouse - drag_->mouse, drag_->perMetre) / glm::dot(drag_->perMetre, drag_->perMetre);
     LightEdit edit = lightsOf(scene).at(*selected_);
-    const glm::vec3 moved = glm::clamp(drag_->translation + localStep(scene, worldFromNode, *selected_, drag_->axis * along), -kMaxMetres, kMaxMetres);
+    const glm::vec3 moved = glm::clamp(
+        drag_->translation + localStep(scene, worldFromNode, *selected_, drag_->axis * along), -kMaxMetres, kMaxMetres);
     if (moved != edit.translation) {
       edit.translation = moved;
       edited(session, edit, workspace);

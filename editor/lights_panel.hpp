@@ -33,7 +33,7 @@ class LightsPanel {
 
   /// A handle that is held. Everything is as it was when it was pressed.
   struct Drag {
-    glm::vec3 axis{0};       ///< world
+    glm::vec3 axis{0};  ///< world
     glm::vec3 translation{0};
     glm::vec2 mouse{0}, perMetre{0};  ///< points; points that a metre along the axis spans
   };

@@ -59,7 +59,8 @@ MenuChoice MenuBar::draw(const History& history, const std::vector<std::string>&
   if (menu("Edit", workspace)) {
     add(Command::kUndo, history.canUndo());
     add(Command::kRedo, history.canRedo());
-    for (Command command : {Command::kHistory, Command::kResetAll, Command::kSearch, Command::kResetCamera}) add(command);
+    for (Command command : {Command::kHistory, Command::kResetAll, Command::kSearch, Command::kResetCamera})
+      add(command);
     ImGui::EndMenu();
   }
   if (menu("Help", workspace)) {
@@ -98,7 +99,9 @@ void drawHelp(bool& open) {
   if (!open) return;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  if (ImGui::Begin("Keys", &open, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse) &&
+  if (ImGui::Begin(
+          "Keys", &open,
+          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse) &&
       ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) {
     row("W A S D, Q E", "fly forward, left, back, right; down, up");
     row("right drag", "look around");

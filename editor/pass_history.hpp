@@ -19,8 +19,9 @@ class PassHistory {
 
   struct Line {
     std::string name, owner;
-    double current = 0, median = 0, worst = 0;  ///< ms; median and worst over the frames of the window that had the pass
-    bool ran = false;                           ///< in the newest frame
+    double current = 0, median = 0,
+           worst = 0;  ///< ms; median and worst over the frames of the window that had the pass
+    bool ran = false;  ///< in the newest frame
   };
   using Key = std::pair<std::string, std::string>;  ///< owner, name
   using Frame = std::map<Key, double>;              ///< ms

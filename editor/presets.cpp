@@ -36,7 +36,8 @@ Result<std::vector<Difference>> comparePreset(const params::Table& table, const 
   std::vector<Difference> differences;
   for (const params::Parameter& parameter : table.parameters()) {
     const double here = table.value(parameter.id), there = other->value(parameter.id);
-    if (here != there) differences.push_back({parameter.id, params::toText(parameter, here), params::toText(parameter, there)});
+    if (here != there)
+      differences.push_back({parameter.id, params::toText(parameter, here), params::toText(parameter, there)});
   }
   return differences;
 }

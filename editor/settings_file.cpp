@@ -19,8 +19,12 @@ constexpr std::size_t kRecent = 10;
 std::string textOf(const Settings& s) {
   Json json;
   json["recent_levels"] = s.recentLevels;
-  json["level_folder"] = s.levelFolder, json["preset_folder"] = s.presetFolder, json["capture_folder"] = s.captureFolder;
-  json["capture"] = {{"picture", s.capturePicture}, {"scatter", s.captureScatter}, {"depth", s.captureDepth}, {"stats", s.captureStats}};
+  json["level_folder"] = s.levelFolder, json["preset_folder"] = s.presetFolder,
+  json["capture_folder"] = s.captureFolder;
+  json["capture"] = {{"picture", s.capturePicture},
+                     {"scatter", s.captureScatter},
+                     {"depth", s.captureDepth},
+                     {"stats", s.captureStats}};
   json["budget_ms"] = s.budgetMs;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -30,10 +34,12 @@ Settings settingsFrom(const Json& json) {
   Settings s;
   if (json.contains("recent_levels")) s.recentLevels = json["recent_levels"].get<std::vector<std::string>>();
   if (s.recentLevels.size() > kRecent) s.recentLevels.resize(kRecent);
-  s.levelFolder = json.value("level_folder", s.levelFolder), s.presetFolder = json.value("preset_folder", s.presetFolder);
+  s.levelFolder = json.value("level_folder", s.levelFolder),
+  s.presetFolder = json.value("preset_folder", s.presetFolder);
   s.captureFolder = json.value("capture_folder", s.captureFolder);
   const Json capture = json.value("capture", Json::object());
-  s.capturePicture = capture.value("picture", s.capturePicture), s.captureScatter = capture.value("scatter", s.captureScatter);
+  s.capturePicture = capture.value("picture", s.capturePicture),
+  s.captureScatter = capture.value("scatter", s.captureScatter);
   s.captureDepth = capture.value("depth", s.captureDepth), s.captureStats = capture.value("stats", s.captureStats);
   s.budgetMs = json.value("budget_ms", s.budgetMs);
   return s;

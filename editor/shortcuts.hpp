@@ -9,14 +9,28 @@
 
 namespace tyndall::editor {
 
-enum class Command { kOpenLevel, kLoadPreset, kSavePreset, kComparePreset, kCapture, kQuit, kUndo, kRedo, kHistory, kResetAll, kSearch, kResetCamera, kHelp };
+enum class Command {
+  kOpenLevel,
+  kLoadPreset,
+  kSavePreset,
+  kComparePreset,
+  kCapture,
+  kQuit,
+  kUndo,
+  kRedo,
+  kHistory,
+  kResetAll,
+  kSearch,
+  kResetCamera,
+  kHelp
+};
 
 struct Shortcut {
   Command command;
-  const char* name;     ///< in the menu; also the widget's name in the state file
-  const char* keys;     ///< as shown
-  const char* does;     ///< one line for the overlay
-  int key = 0;          ///< GLFW_KEY_*
+  const char* name;  ///< in the menu; also the widget's name in the state file
+  const char* keys;  ///< as shown
+  const char* does;  ///< one line for the overlay
+  int key = 0;       ///< GLFW_KEY_*
   bool control = false, shift = false;
 };
 

@@ -52,14 +52,18 @@ void TimesPanel::graph(double budgetMs, float height) {
     for (std::size_t place = 0; place < history_.order().size(); ++place) {
       const auto found = frame.find(history_.order()[place]);
       if (found == frame.end()) continue;
-      list.AddRectFilled({x, yOf(sum + found->second)}, {x + step, yOf(sum)}, colourOf(place, found->first.first == "engine"));
+      list.AddRectFilled({x, yOf(sum + found->second)}, {x + step, yOf(sum)},
+                         colourOf(place, found->first.first == "engine"));
       sum += found->second;
     }
     x += step;
   }
   const bool over = history_.total().current > budgetMs;
-  list.AddLine({low.x, yOf(budgetMs)}, {low.x + width, yOf(budgetMs)}, over ? IM_COL32(255, 115, 102, 255) : IM_COL32(130, 220, 130, 255));
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("the last %zu of %zu frames; the line is the budget", history_.frames().size(), PassHistory::kFrames);
+  list.AddLine({low.x, yOf(budgetMs)}, {low.x + width, yOf(budgetMs)},
+               over ? IM_COL32(255, 115, 102, 255) : IM_COL32(130, 220, 130, 255));
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("the last %zu of %zu frames; the line is the budget", history_.frames().size(),
+                      PassHistory::kFrames);
 }
 
 void TimesPanel::table() {
@@ -68,14 +72,16 @@ void TimesPanel::table() {
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Pass", ImGuiTableColumnFlags_WidthStretch);
   // Widths by what is usual: columns that fit themselves lag a frame behind and jump.
-  for (const char* title : {"  now ms", " median", "  worst"}) ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00000.00").x);
+  for (const char* title : {"  now ms", " median", "  worst"})
+    ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00000.00").x);
   ImGui::TableHeadersRow();
   ImGui::PushStyleColor(ImGuiCol_Text, kChangedColor);
   timeRow(history_.total(), 0);
   ImGui::PopStyleColor();
   for (const PassHistory::Line& line : history_.owners()) timeRow(line, 0);
   const std::vector<PassHistory::Line> lines = history_.lines();
-  for (std::size_t place = 0; place < lines.size(); ++place) timeRow(lines[place], colourOf(place, lines[place].owner == "engine"));
+  for (std::size_t place = 0; place < lines.size(); ++place)
+    timeRow(lines[place], colourOf(place, lines[place].owner == "engine"));
   ImGui::EndTable();
 }
 
@@ -86,7 +92,8 @@ void TimesPanel::draw(const app::Session& session, double& budgetMs, Workspace& 
   }
   if (history_.frames().empty()) return;
   ImGui::SetNextItemWidth(90);
-  ImGui::DragScalar("budget", ImGuiDataType_Double, &budgetMs, 0.1f, &kMinBudget, &kMaxBudget, "%.2f ms", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+  ImGui::DragScalar("budget", ImGuiDataType_Double, &budgetMs, 0.1f, &kMinBudget, &kMaxBudget, "%.2f ms",
+                    ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   workspace.place("budget");
   ImGui::SameLine();
   if (ImGui::SmallButton("clear")) {
@@ -96,8 +103,10 @@ void TimesPanel::draw(const app::Session& session, double& budgetMs, Workspace& 
   workspace.place("clear times");
   const PassHistory::Line total = history_.total();
   ImGui::SameLine();
-  if (total.current > budgetMs) ImGui::TextColored(kErrorColor, "%.2f ms over", total.current - budgetMs);
-  else ImGui::Text("%.2f ms left", budgetMs - total.current);
+  if (total.current > budgetMs)
+    ImGui::TextColored(kErrorColor, "%.2f ms over", total.current - budgetMs);
+  else
+    ImGui::Text("%.2f ms left", budgetMs - total.current);
   graph(budgetMs, kGraphHeight);
   workspace.place("times graph");
   table();
@@ -105,13 +114,16 @@ void TimesPanel::draw(const app::Session& session, double& budgetMs, Workspace& 
 
 void TimesPanel::drawSkipped(app::Session& session, Workspace& workspace) {
   ImGui::BeginChild("skipped");
-  const auto bytes = [](const char* what, std::uint64_t count) { ImGui::Text("%9.2f MiB  %s", static_cast<double>(count) / kMiB, what); };
+  const auto bytes = [](const char* what, std::uint64_t count) {
+    ImGui::Text("%9.2f MiB  %s", static_cast<double>(count) / kMiB, what);
+  };
   ImGui::TextColored(kChangedColor, "Memory");
   bytes("of the device, all images and buffers", session.device().allocatedBytes());
   bytes("of a frame's passing images", session.statistics().transientBytes);
   bytes("of the effect", session.effect().memoryBytes());
   const std::vector<std::uint64_t> lights = session.effect().lightMemoryBytes();
-  for (std::size_t i = 0; i < lights.size(); ++i) bytes(("of it in turn, light " + std::to_string(i)).c_str(), lights[i]);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    bytes(("of it in turn, light " + std::to_string(i)).c_str(), lights[i]);
   ImGui::TextColored(kChangedColor, "Skipped by the effect");
   std::size_t shown = 0;
   for (const auto& [reason, count] : session.effect().counters()) {

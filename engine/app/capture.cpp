@@ -19,7 +19,8 @@ RenderOptions optionsOf(const Capture& capture) {
   RenderOptions options;
   options.level = capture.level, options.camera = capture.camera, options.pose = capture.pose;
   options.size = capture.size, options.seconds = capture.seconds, options.debugView = capture.debugView;
-  options.picture = capture.picture, options.scatter = capture.scatter, options.depth = capture.depth, options.stats = capture.stats;
+  options.picture = capture.picture, options.scatter = capture.scatter, options.depth = capture.depth,
+  options.stats = capture.stats;
   return options;
 }
 
@@ -51,21 +52,27 @@ std::vector<std::string> captureWords(Session& session, const Capture& capture) 
   add("--size", std::to_string(capture.size.first) + "x" + std::to_string(capture.size.second));
   if (capture.seconds != 0) add("--time", number(capture.seconds));
   for (const params::Parameter& parameter : session.table().parameters())
-    if (session.table().changed(parameter.id)) add("--set", parameter.id + "=" + params::toText(parameter, session.table().value(parameter.id)));
+    if (session.table().changed(parameter.id))
+      add("--set", parameter.id + "=" + params::toText(parameter, session.table().value(parameter.id)));
   add("--debug-view", capture.debugView);
   add("--device", session.device().info().name);
   // Another folder than the program's own, whether an option or the environment named it.
   const std::filesystem::path plugins = pluginFolder(capture.pluginFolder);
   std::error_code unknown;
-  if (plugins != executableFolder() / "plugins") add("--plugin-dir", std::filesystem::absolute(plugins, unknown).string());
-  add("--out", capture.picture), add("--scatter", capture.scatter), add("--depth", capture.depth), add("--stats", capture.stats);
+  if (plugins != executableFolder() / "plugins")
+    add("--plugin-dir", std::filesystem::absolute(plugins, unknown).string());
+  add("--out", capture.picture), add("--scatter", capture.scatter), add("--depth", capture.depth),
+      add("--stats", capture.stats);
   return words;
 }
 
 std::string shellLine(const std::vector<std::string>& words) {
   std::string line;
   for (const std::string& word : words) {
-    const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%") == std::string::npos;
+    const bool plain =
+        !word.empty() &&
+        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%") ==
+            std::string::npos;
     line += line.empty() ? "" : " ";
     if (plain) {
       line += word;

@@ -42,8 +42,9 @@ scene::CameraView placed(const scene::CameraView& lens, const Pose& pose) {
 }
 
 Result<Pose> readPose(const std::string& option, const std::string& text) {
-  const Error wrong = badCall(option + " '" + text +
-                              "': must be X,Y,Z,YAW,PITCH: metres within 1000000, degrees, yaw within 360 and pitch within 90");
+  const Error wrong =
+      badCall(option + " '" + text +
+              "': must be X,Y,Z,YAW,PITCH: metres within 1000000, degrees, yaw within 360 and pitch within 90");
   std::array<float, 5> numbers{};
   const char* at = text.data();
   const char* const end = at + text.size();
@@ -55,7 +56,8 @@ Result<Pose> readPose(const std::string& option, const std::string& text) {
   }
   const Pose pose{{numbers[0], numbers[1], numbers[2]}, numbers[3], numbers[4]};
   const bool inside = std::abs(pose.position.x) <= kMaxPosition && std::abs(pose.position.y) <= kMaxPosition &&
-                      std::abs(pose.position.z) <= kMaxPosition && std::abs(pose.yaw) <= kMaxYaw && std::abs(pose.pitch) <= 90;
+                      std::abs(pose.position.z) <= kMaxPosition && std::abs(pose.yaw) <= kMaxYaw &&
+                      std::abs(pose.pitch) <= 90;
   if (at != end || !inside) return wrong;
   return pose;
 }

@@ -20,8 +20,9 @@ TEST(Pose, TextReadsBackToTheBit) {
 }
 
 TEST(Pose, OtherTextIsRefused) {
-  for (const char* text : {"", "1,2,3,4", "1,2,3,4,5,6", "1,2,3,4,5,", "a,2,3,4,5", "1 ,2,3,4,5", "1,2,3,4,91", "1,2,3,361,0", "nan,0,0,0,0",
-                           "inf,0,0,0,0", "1e7,0,0,0,0", "1e99,0,0,0,0", "1;2;3;4;5", "+1,2,3,4,5"}) {
+  for (const char* text :
+       {"", "1,2,3,4", "1,2,3,4,5,6", "1,2,3,4,5,", "a,2,3,4,5", "1 ,2,3,4,5", "1,2,3,4,91", "1,2,3,361,0",
+        "nan,0,0,0,0", "inf,0,0,0,0", "1e7,0,0,0,0", "1e99,0,0,0,0", "1;2;3;4;5", "+1,2,3,4,5"}) {
     auto read = readPose("--pose", text);
     ASSERT_FALSE(read.ok()) << text;
     EXPECT_EQ(read.error().kind, ErrorKind::kBadCall);

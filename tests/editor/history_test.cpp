@@ -19,7 +19,8 @@ params::Table makeTable() {
   params::Table table;
   params::Parameter choice = number("a.choice", params::Type::kEnum, 0, 1, 1);
   choice.choices = {"one", "two", "three"};
-  EXPECT_TRUE(table.add({number("a.float", params::Type::kFloat, -10, 10, 0.1), number("a.int", params::Type::kInt, 1, 4096, 64),
+  EXPECT_TRUE(table.add({number("a.float", params::Type::kFloat, -10, 10, 0.1),
+                         number("a.int", params::Type::kInt, 1, 4096, 64),
                          number("a.flag", params::Type::kBool, 0, 1, 1), choice}));
   EXPECT_TRUE(table.set("a.float", 1.0 / 3));  // a start other than the defaults
   return table;
@@ -44,13 +45,20 @@ void edit(Hand& hand, std::mt19937& random) {
   const auto unit = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
   const auto below = [&](int count) { return std::uniform_int_distribution<int>(0, count - 1)(random); };
   switch (below(8)) {
-    case 0: case 1: ASSERT_TRUE(hand.table.set("a.float", -10 + 20 * unit())); break;
+    case 0:
+    case 1: ASSERT_TRUE(hand.table.set("a.float", -10 + 20 * unit())); break;
     case 2: ASSERT_TRUE(hand.table.set("a.int", 1 + below(4096))); break;
     case 3: ASSERT_TRUE(hand.table.set("a.flag", below(2))); break;
     case 4: ASSERT_TRUE(hand.table.set("a.choice", below(3))); break;
-    case 5: hand.pose = below(4) ? std::optional(app::Pose{{float(unit()), float(unit()), float(unit())}, float(unit() * 90), 3}) : std::nullopt; break;
+    case 5:
+      hand.pose = below(4)
+                      ? std::optional(app::Pose{{float(unit()), float(unit()), float(unit())}, float(unit() * 90), 3})
+                      : std::nullopt;
+      break;
     case 6: hand.lights[below(3)].intensity = float(unit()); break;
-    default: below(2) ? hand.table.resetToDefaults() : (void)hand.table.readPreset(R"({"a.int": 7, "a.choice": "one"})", "preset");
+    default:
+      below(2) ? hand.table.resetToDefaults()
+               : (void)hand.table.readPreset(R"({"a.int": 7, "a.choice": "one"})", "preset");
   }
 }
 

@@ -14,7 +14,8 @@ scene::Scene makeScene() {
   scene.lights[0].kind = scene::LightKind::kPoint;
   scene.nodes.resize(3);
   scene.nodes[0].light = 0, scene.nodes[0].matrix = glm::translate(glm::mat4(1), glm::vec3(1, 2, 3));
-  scene.nodes[1].rotation = glm::angleAxis(glm::radians(90.0f), glm::vec3(0, 1, 0)), scene.nodes[1].scale = glm::vec3(2);
+  scene.nodes[1].rotation = glm::angleAxis(glm::radians(90.0f), glm::vec3(0, 1, 0)),
+  scene.nodes[1].scale = glm::vec3(2);
   scene.nodes[2].light = 0, scene.nodes[2].parent = 1, scene.nodes[2].translation = {1, 0, 0};
   return scene;
 }
@@ -49,7 +50,8 @@ TEST(Lights, AStepInTheWorldIsThatStepWhateverTheParent) {
       LightEdit edit = lightsOf(scene).at(node);
       edit.translation += localStep(scene, before, node, step);
       setLight(scene, node, edit);
-      const glm::vec3 moved = glm::vec3(scene::worldMatrices(scene, 0)[static_cast<std::size_t>(node)][3] - before[static_cast<std::size_t>(node)][3]);
+      const glm::vec3 moved = glm::vec3(scene::worldMatrices(scene, 0)[static_cast<std::size_t>(node)][3] -
+                                        before[static_cast<std::size_t>(node)][3]);
       EXPECT_LT(glm::distance(moved, step), 1e-5f) << node;
     }
 }

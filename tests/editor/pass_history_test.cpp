@@ -17,7 +17,8 @@ TEST(PassHistory, MedianAndWorstAreOfTheWindow) {
   PassHistory history;
   history.add({pass("a", "engine", 1000)});  // leaves the window
   for (std::size_t i = 1; i <= PassHistory::kFrames; ++i)
-    history.add({pass("a", "engine", static_cast<double>(i)), pass("b", "plugin", 2), pass("copy", "editor", 77), pass("copy", "readback", 77)});
+    history.add({pass("a", "engine", static_cast<double>(i)), pass("b", "plugin", 2), pass("copy", "editor", 77),
+                 pass("copy", "readback", 77)});
   ASSERT_EQ(history.frames().size(), PassHistory::kFrames);
   const auto lines = history.lines();
   ASSERT_EQ(lines.size(), 2u);  // the editor's own do not count

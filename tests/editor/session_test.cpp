@@ -22,8 +22,17 @@ class SessionTest : public EditorTest {
  protected:
   void start(std::vector<std::string> more = {}) {
     ASSERT_TRUE(haveProgram("xdotool"));
-    std::vector<std::string> call{"hall", "--size", "960x640", "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64",
-                                  "--set", "shadows.resolution=256", "--screenshot", (folder_ / "window.png").string()};
+    std::vector<std::string> call{"hall",
+                                  "--size",
+                                  "960x640",
+                                  "--set",
+                                  "volumetrics.columns=64",
+                                  "--set",
+                                  "volumetrics.slices=64",
+                                  "--set",
+                                  "shadows.resolution=256",
+                                  "--screenshot",
+                                  (folder_ / "window.png").string()};
     call.insert(call.end(), more.begin(), more.end());
     startEditor(call);
     ASSERT_FALSE(waitFor([](const Json& s) { return s["frames"] >= 4; }).is_null()) << errors();
@@ -57,7 +66,8 @@ class SessionTest : public EditorTest {
     const std::size_t at = command.find(captured.string());
     if (command.rfind("tyndall ", 0) != 0 || at == std::string::npos) return -1;
     command.replace(at, captured.string().size(), again.string());
-    return std::system((std::string(TYNDALL_BIN_DIR) + "/" + command + " > " + (folder_ / "again.log").string() + " 2>&1").c_str());
+    return std::system(
+        (std::string(TYNDALL_BIN_DIR) + "/" + command + " > " + (folder_ / "again.log").string() + " 2>&1").c_str());
   }
   void quit() {
     keys({"ctrl", "q"});
@@ -96,7 +106,8 @@ TEST_F(SessionTest, EditsAreUndoneAndCapturesAreMadeAgain) {
   keys({"ctrl", "y"});
   EXPECT_TRUE(becomes("view.exposure", dragged));
   // A preset is one step, and what it does not name has its default.
-  std::ofstream(folder_ / "p.json") << R"({"volumetrics.technique": "ray_march", "volumetrics.steps": 9, "shadows.resolution": 256})";
+  std::ofstream(folder_ / "p.json")
+      << R"({"volumetrics.technique": "ray_march", "volumetrics.steps": 9, "shadows.resolution": 256})";
   choose("l", folder_ / "p.json");
   ASSERT_TRUE(becomes("volumetrics.steps", "9")) << state()["message"];
   EXPECT_EQ(setting("view.exposure"), "1");
@@ -105,9 +116,11 @@ TEST_F(SessionTest, EditsAreUndoneAndCapturesAreMadeAgain) {
   ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].value("compare.count", "") == "0"; }, 20).is_null());
   keys({"ctrl", "z"});
   ASSERT_TRUE(becomes("view.exposure", dragged));
-  ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].value("compare.count", "") == "4"; }, 20).is_null()) << state()["facts"];
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].value("compare.count", "") == "4"; }, 20).is_null())
+      << state()["facts"];
   choose("s", folder_ / "saved");
-  ASSERT_FALSE(waitFor([&](const Json& s) { return s["message"].get<std::string>().starts_with("saved "); }, 20).is_null());
+  ASSERT_FALSE(
+      waitFor([&](const Json& s) { return s["message"].get<std::string>().starts_with("saved "); }, 20).is_null());
   EXPECT_TRUE(fs::exists(folder_ / "saved.json"));
   // Look elsewhere, then capture; the command gives the same bytes.
   input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", "200", "300", "mousedown", "3"});
@@ -115,7 +128,9 @@ TEST_F(SessionTest, EditsAreUndoneAndCapturesAreMadeAgain) {
   input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", "263", "289"});
   waitFrames(3);
   input({"mouseup", "3"});
-  ASSERT_FALSE(waitFor([](const Json& s) { return s["camera"]["flown"] && s["history"]["present"] == 3; }, 20).is_null()) << state()["history"];
+  ASSERT_FALSE(
+      waitFor([](const Json& s) { return s["camera"]["flown"] && s["history"]["present"] == 3; }, 20).is_null())
+      << state()["history"];
   keys({"ctrl", "p"});
   click("capture folder");
   input({"type", "--delay", "60", folder_.string()});
@@ -158,7 +173,9 @@ TEST_F(SessionTest, LevelsAreOpenedAndRemembered) {
   ASSERT_FALSE(waitFor([](const Json& s) { return !s["widgets"].contains("file name"); }, 20).is_null());
   std::ofstream(folder_ / "bad.glb") << "no level";
   choose("o", folder_ / "bad.glb");
-  ASSERT_FALSE(waitFor([](const Json& s) { return s["message"].get<std::string>().find("bad.glb") != std::string::npos; }, 20).is_null());
+  ASSERT_FALSE(
+      waitFor([](const Json& s) { return s["message"].get<std::string>().find("bad.glb") != std::string::npos; }, 20)
+          .is_null());
   EXPECT_EQ(state()["level"], "hall");
   const fs::path vault = fs::path(TYNDALL_BIN_DIR) / "levels" / "vault.glb";
   choose("o", vault);
@@ -176,20 +193,23 @@ TEST_F(SessionTest, LevelsAreOpenedAndRemembered) {
   click("tab lights");
   ASSERT_FALSE(waitFor([](const Json& s) { return lightOf(s) != ""; }, 20).is_null());
   click(lightOf(state()));
-  const Json chosen = waitFor([](const Json& s) { return s["facts"].contains("light.intensity") && s["widgets"].contains("handle y"); }, 20);
+  const Json chosen = waitFor(
+      [](const Json& s) { return s["facts"].contains("light.intensity") && s["widgets"].contains("handle y"); }, 20);
   ASSERT_FALSE(chosen.is_null()) << state()["facts"];
   const Json handle = chosen["widgets"]["handle y"], viewport = chosen["widgets"]["viewport"];
   ASSERT_GT(handle[1], 60) << handle;
   ASSERT_LT(handle[1], viewport[3]) << handle;
   ASSERT_LT(handle[0], viewport[2]) << handle;
   const auto mouse = [&](double up) {
-    input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", std::to_string(static_cast<int>(handle[0].get<double>() + 4)),
+    input({"search", "--name", "Tyndall", "mousemove", "--window", "%1",
+           std::to_string(static_cast<int>(handle[0].get<double>() + 4)),
            std::to_string(static_cast<int>(handle[1].get<double>() + 4 - up))});
     waitFrames(3);
   };
   const auto place = [](const Json& s) { return s["facts"].value("light.translation", ""); };
   mouse(0), input({"mousedown", "1"}), waitFrames(3), mouse(10), mouse(24), input({"mouseup", "1"});
-  const Json moved = waitFor([&](const Json& s) { return place(s) != place(chosen) && s["history"]["present"] == 2; }, 20);
+  const Json moved =
+      waitFor([&](const Json& s) { return place(s) != place(chosen) && s["history"]["present"] == 2; }, 20);
   ASSERT_FALSE(moved.is_null()) << state()["facts"] << state()["history"];
   keys({"ctrl", "z"});
   ASSERT_FALSE(waitFor([&](const Json& s) { return place(s) == place(chosen); }, 20).is_null());
@@ -200,12 +220,14 @@ TEST_F(SessionTest, LevelsAreOpenedAndRemembered) {
   input({"type", "--delay", "60", folder_.string()});
   waitFrames(3);
   const std::string command = capture();
-  const fs::path captured = folder_ / "vault-001.png", again = folder_ / "again.png", untouched = folder_ / "untouched.png";
+  const fs::path captured = folder_ / "vault-001.png", again = folder_ / "again.png",
+                 untouched = folder_ / "untouched.png";
   ASSERT_TRUE(fs::exists(folder_ / "vault-001.glb")) << state()["message"];
   ASSERT_EQ(rerun(command, captured, again), 0);
   EXPECT_TRUE(readAll(captured) == readAll(again));
   std::string before = command;  // with the level as it was
-  before.replace(before.find((folder_ / "vault-001.glb").string()), (folder_ / "vault-001.glb").string().size(), vault.string());
+  before.replace(before.find((folder_ / "vault-001.glb").string()), (folder_ / "vault-001.glb").string().size(),
+                 vault.string());
   ASSERT_EQ(rerun(before, captured, untouched), 0);
   EXPECT_FALSE(readAll(captured) == readAll(untouched));
   quit();

@@ -29,7 +29,8 @@ class FilesTest : public ::testing::Test {
 params::Table makeTable() {
   params::Table table;
   params::Parameter whole;
-  whole.id = whole.name = "a.whole", whole.type = params::Type::kInt, whole.min = whole.builtMin = 0, whole.max = whole.builtMax = 100, whole.defaultValue = 5;
+  whole.id = whole.name = "a.whole", whole.type = params::Type::kInt, whole.min = whole.builtMin = 0,
+  whole.max = whole.builtMax = 100, whole.defaultValue = 5;
   params::Parameter fraction = whole;
   fraction.id = fraction.name = "a.fraction", fraction.type = params::Type::kFloat;
   EXPECT_TRUE(table.add({whole, fraction}));
@@ -55,7 +56,8 @@ TEST_F(FilesTest, SettingsComeBack) {
 }
 
 TEST_F(FilesTest, BrokenSettingsAreSetAsideAndSaid) {
-  for (const char* text : {"{", "[]", "12", "{\"recent_levels\": 3}", "{\"budget_ms\": -1}", "{\"capture\": {\"picture\": \"yes\"}}", ""}) {
+  for (const char* text : {"{", "[]", "12", "{\"recent_levels\": 3}", "{\"budget_ms\": -1}",
+                           "{\"capture\": {\"picture\": \"yes\"}}", ""}) {
     SCOPED_TRACE(text);
     const fs::path path = write("editor.json", text);
     SettingsFile file(path);

@@ -8,8 +8,8 @@
 
 namespace tyndall::app {
 
-/// Position in metres, angles in degrees. Yaw 0 looks down -Z and grows to the right; pitch grows upwards, in [-90, 90].
-/// The horizon is level.
+/// Position in metres, angles in degrees. Yaw 0 looks down -Z and grows to the right; pitch grows upwards, in [-90,
+/// 90]. The horizon is level.
 struct Pose {
   glm::vec3 position{0};
   float yaw = 0, pitch = 0;
