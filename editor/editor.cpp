@@ -1,6 +1,7 @@
 #include "editor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -90,6 +91,7 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   const scene::Bounds bounds = scene::worldBounds(level->scene, level->worldFromNode(options.seconds));
   editor->camera_.emplace(bounds.empty() ? 10.0f : glm::length(bounds.max - bounds.min));
   if (auto set = editor->session_->setLevel(level.take()); !set) return set.error();
+  editor->noticeLevel();
   auto swapchain = Swapchain::create(editor->session_->device(), *editor->window_);
   if (!swapchain) return swapchain.error();
   editor->swapchain_ = swapchain.take();
@@ -102,6 +104,11 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   editor->research_ = std::make_unique<Research>(*editor->session_, *editor->renderer_, Laboratory::Options{device, options.pluginFolder, wake});
   editor->workspace_.seconds = options.seconds;
   for (const std::string& line : told) editor->workspace_.tell(line, false);
+  std::string problem;
+  editor->settings_ = editor->settingsFile_.read(problem);
+  if (!problem.empty()) editor->workspace_.tell(problem, true);
+  editor->settings_.opened(editor->levelText());
+  editor->capture_.restore(editor->settings_);
   return editor;
 }
 
@@ -133,13 +140,20 @@ Result<void> Editor::run() {
 Result<bool> Editor::step() {
   auto fits = swapchain_->fit(window_->pixels());
   if (!fits || !*fits) return fits;
+  noticeLevel();
   watcher_.check(*session_, workspace_);
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
   workspace_.widgets.clear();
+  workspace_.facts.clear();
   drawWindows();
   steer();
+  watchEdits();
   ImGui::Render();
+  if (std::exchange(captureAsked_, false)) takeCapture();
+  if (!levelAsked_.empty()) openLevel(std::exchange(levelAsked_, ""));
+  if (levelLost_) return *levelLost_;
+  keepSettings();
 
   if (pictureWanted()) {
     if (auto rendered = renderPicture(); !rendered) {
@@ -153,15 +167,16 @@ Result<bool> Editor::step() {
   }
   if (auto shown = renderWindow(); !shown) return shown.error();
   ++frames_;
-  const StateFile::Snapshot now{*session_, workspace_, *camera_, camera_->view(fileCamera()), frames_, pictures_};
+  const StateFile::Snapshot now{*session_, workspace_, *camera_, history_, camera_->view(fileCamera()), frames_, pictures_};
   if (auto written = state_.update(now); !written) return written.error();
   return true;
 }
 
-scene::CameraView Editor::fileCamera() const {
-  const auto cameras = session_->level()->cameras(workspace_.seconds);
-  return cameras[std::min<std::size_t>(options_.camera, cameras.size() - 1)];
+std::uint32_t Editor::cameraIndex() const {
+  return std::min(options_.camera, static_cast<std::uint32_t>(session_->level()->cameras(workspace_.seconds).size()) - 1);
 }
+
+scene::CameraView Editor::fileCamera() const { return session_->level()->cameras(workspace_.seconds)[cameraIndex()]; }
 
 Research::Viewport Editor::viewport() const {
   return {camera_->view(fileCamera()), viewWidth_, viewHeight_, viewLow_, viewSize_, viewHovered_, moving_ || workspace_.playing};
@@ -169,11 +184,20 @@ Research::Viewport Editor::viewport() const {
 
 void Editor::drawWindows() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float side = std::min(std::clamp(size.x * 0.32f, 290.0f, 420.0f), size.x / 2);
+  const float side = std::floor(std::min(std::clamp(size.x * 0.32f, 290.0f, 420.0f), size.x / 2));  // the picture is not stretched by part of a point
   const float status = ImGui::GetFrameHeight() + 6;
-  drawViewport(size.x - side, size.y - status);
-  drawSide(size.x - side, side, size.y - status);
+  const MenuChoice choice = menu_.draw(history_, settings_.recentLevels, workspace_);
+  if (!choice.level.empty()) levelAsked_ = choice.level;
+  for (const Command command : choice.commands) perform(command);
+  const float top = menu_.height(), height = size.y - status - top;
+  drawViewport(top, size.x - side, height);
+  drawSide(size.x - side, top, side, height);
+  if (const auto step = drawHistory(history_, historyOpen_, workspace_)) restore(history_.jump(*step));
+  drawHelp(helpOpen_);
   research_->draw(workspace_, viewport());
+  if (const auto file = files_.draw(workspace_)) fileChosen(*file);
+  drawComparison();
+  if (capture_.draw(workspace_)) captureAsked_ = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 5));
   beginFixed("status", 0, size.y - status, size.x, status, ImGuiWindowFlags_NoScrollWithMouse);
   drawStatus(*session_, workspace_, viewWidth_, viewHeight_);
@@ -181,15 +205,15 @@ void Editor::drawWindows() {
   ImGui::PopStyleVar();
 }
 
-void Editor::drawViewport(float width, float height) {
+void Editor::drawViewport(float y, float width, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  beginFixed("viewport", 0, 0, width, height, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground);
+  beginFixed("viewport", 0, y, width, height, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground);
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
   const std::uint32_t limit = session_->maxSide();
-  viewWidth_ = std::clamp(static_cast<std::uint32_t>(width * scale.x), 1u, limit);
-  viewHeight_ = std::clamp(static_cast<std::uint32_t>(height * scale.y), 1u, limit);
+  viewWidth_ = std::clamp(static_cast<std::uint32_t>(std::max(width, 1.0f) * scale.x), 1u, limit);
+  viewHeight_ = std::clamp(static_cast<std::uint32_t>(std::max(height, 1.0f) * scale.y), 1u, limit);
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("picture", {width, height}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  ImGui::InvisibleButton("picture", {std::max(width, 1.0f), std::max(height, 1.0f)}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   workspace_.place("viewport");
   viewHovered_ = ImGui::IsItemHovered();
   // Not in the frame of the press itself: the mouse's way to where it was pressed is no drag.
@@ -197,20 +221,31 @@ void Editor::drawViewport(float width, float height) {
   ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(Texture::kPicture), low, {low.x + width, low.y + height});
   viewLow_ = {low.x, low.y}, viewSize_ = {width, height};
   research_->drawOver(*ImGui::GetWindowDrawList(), workspace_, viewport());
+  lights_.drawOver(*ImGui::GetWindowDrawList(), *session_, {camera_->view(fileCamera()), viewLow_, viewSize_, viewHovered_}, workspace_);
   ImGui::End();
   ImGui::PopStyleVar();
 }
 
-void Editor::drawSide(float x, float width, float height) {
-  beginFixed("side", x, 0, width, height, ImGuiWindowFlags_NoScrollWithMouse);
+void Editor::drawSide(float x, float y, float width, float height) {
+  beginFixed("side", x, y, width, height, ImGuiWindowFlags_NoScrollWithMouse);
   drawControls(*session_, *camera_, workspace_);
   ImGui::Separator();
-  const float times = std::clamp(height * 0.3f, 90.0f, 260.0f);
+  const float times = std::clamp(height * 0.42f, 90.0f, 380.0f);
   ImGui::BeginChild("parameters", {0, std::max(ImGui::GetContentRegionAvail().y - times, 40.0f)});
   parameters_.draw(session_->catalogue(), workspace_);
   ImGui::EndChild();
   ImGui::Separator();
-  drawPassTimes(*session_);
+  if (ImGui::BeginTabBar("figures")) {
+    const auto tab = [this](const char* name) {
+      const bool open = ImGui::BeginTabItem(name);
+      workspace_.place(std::string("tab ") + name);
+      return open;
+    };
+    if (tab("times")) times_.draw(*session_, settings_.budgetMs, workspace_), ImGui::EndTabItem();
+    if (tab("memory, skipped")) times_.drawSkipped(*session_, workspace_), ImGui::EndTabItem();
+    if (tab("lights")) lights_.draw(*session_, workspace_), ImGui::EndTabItem();
+    ImGui::EndTabBar();
+  }
   ImGui::End();
 }
 
@@ -220,14 +255,11 @@ void Editor::steer() {
   const float passed = static_cast<float>(now - std::exchange(lastTime_, now));
   if (workspace_.playing) workspace_.seconds += static_cast<double>(passed);
 
+  for (const Command command : shortcuts_.pressed(*window_, io.WantTextInput)) perform(command);
   const bool control = window_->keyDown(GLFW_KEY_LEFT_CONTROL) || window_->keyDown(GLFW_KEY_RIGHT_CONTROL);
   const auto key = [&](int code) { return window_->keyDown(code) && !io.WantTextInput; };  // asks first: a tap is forgotten once asked for
-  const bool resetKey = key(GLFW_KEY_F);
-  if (resetKey && !std::exchange(resetKeyWasDown_, resetKey)) workspace_.cameraReset = true;
-  resetKeyWasDown_ = resetKey;
   const bool left = key(GLFW_KEY_A), right = key(GLFW_KEY_D), down = key(GLFW_KEY_Q), up = key(GLFW_KEY_E);
   const bool back = key(GLFW_KEY_S), ahead = key(GLFW_KEY_W);
-  if (control && down) window_->close();
 
   Flight flight;
   if (!control) flight.push = {float(right) - float(left), float(up) - float(down), float(ahead) - float(back)};

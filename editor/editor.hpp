@@ -7,14 +7,23 @@
 
 #include "app/outputs.hpp"
 #include "app/session.hpp"
+#include "capture_panel.hpp"
+#include "file_browser.hpp"
 #include "fly_camera.hpp"
+#include "history.hpp"
 #include "imgui_renderer.hpp"
+#include "lights_panel.hpp"
+#include "menu_bar.hpp"
 #include "options.hpp"
 #include "parameter_panel.hpp"
+#include "presets.hpp"
 #include "research.hpp"
+#include "settings_file.hpp"
+#include "shortcuts.hpp"
 #include "state_file.hpp"
 #include "stress.hpp"
 #include "swapchain.hpp"
+#include "times_panel.hpp"
 #include "watcher.hpp"
 #include "window.hpp"
 #include "workspace.hpp"
@@ -38,16 +47,31 @@ class Editor {
   Result<void> run();
 
  private:
-  explicit Editor(const Options& options) : options_(options), state_(options.state) {}
+  explicit Editor(const Options& options);
 
   // editor.cpp: what is in the window
   Result<bool> step();  ///< false: there was nothing to draw on
   void drawWindows();
-  void drawViewport(float width, float height);
-  void drawSide(float x, float width, float height);
+  void drawViewport(float y, float width, float height);
+  void drawSide(float x, float y, float width, float height);
   void steer();
+  std::uint32_t cameraIndex() const;
   scene::CameraView fileCamera() const;
   Research::Viewport viewport() const;
+
+  // editor_commands.cpp: what the menu and the keys do
+  void perform(Command command);
+  void watchEdits();                      ///< what changed in this frame becomes a step of the history
+  void restore(const EditState* state);   ///< null: nothing to undo or redo
+  EditState editState() const;
+  std::string levelText() const;          ///< the level as a sample's name or an absolute path
+  void takeCapture();
+  void noticeLevel();                     ///< what belongs to a level starts anew when it is another, whoever set it
+  void openLevel(const std::string& level);
+  void browse(Command command);           ///< opens the file window for it
+  void fileChosen(const std::filesystem::path& file);
+  void drawComparison();
+  void keepSettings();
 
   // editor_frame.cpp: how it gets there
   Result<void> renderPicture();
@@ -72,6 +96,23 @@ class Editor {
 
   std::optional<FlyCamera> camera_;
   ParameterPanel parameters_;
+  TimesPanel times_;
+  LightsPanel lights_;
+  std::uint64_t levelsSeen_ = 0;
+  LightEdits lightsSeen_;                 ///< that levelEdits counts
+  History history_;
+  MenuBar menu_;
+  Shortcuts shortcuts_;
+  CapturePanel capture_;
+  bool captureAsked_ = false;
+  std::optional<Error> levelLost_;        ///< neither a new level nor the one before could be set
+  std::string levelAsked_;                ///< taken between two frames
+  FileBrowser files_;
+  Command filesFor_ = Command::kOpenLevel;
+  std::filesystem::path compared_;        ///< a preset; "" = none
+  SettingsFile settingsFile_;
+  Settings settings_;
+  bool historyOpen_ = false, helpOpen_ = false;
   Watcher watcher_;
   Workspace workspace_;
   std::unique_ptr<Stress> stress_;  ///< random use instead of a user's
@@ -82,7 +123,6 @@ class Editor {
   bool viewHovered_ = false, looking_ = false;
   bool moving_ = false;            ///< the camera was flown in the last frame
   bool timesTaken_ = true;         ///< of the newest picture
-  bool resetKeyWasDown_ = false;
   double lastTime_ = 0;            ///< of the last step, seconds since the start
 };
 

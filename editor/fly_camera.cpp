@@ -3,55 +3,43 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/gtc/constants.hpp>
-#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace tyndall::editor {
 namespace {
 
-constexpr float kRadiansPerPixel = 0.004f;    // a drag across 1280 pixels turns by 290 degrees
-constexpr float kSpeedPerNotch = 1.25f;       // three notches double the speed
-constexpr float kFast = 4;                    // with Shift
-constexpr float kMaxPitch = glm::half_pi<float>() - 0.01f;  // straight up has no horizon
-constexpr float kMinSpeed = 0.01f, kMaxSpeed = 10000;       // m/s
+constexpr float kDegreesPerPixel = 0.2291831f;  // 0.004 radians: a drag across 1280 pixels turns by 290 degrees
+constexpr float kSpeedPerNotch = 1.25f;         // three notches double the speed
+constexpr float kFast = 4;                      // with Shift
+constexpr float kMaxPitch = 89.4f;              // degrees; beyond it a drag would turn the head over
+constexpr float kMinSpeed = 0.01f, kMaxSpeed = 10000;  // m/s
+constexpr float kMaxPosition = 1e6f;            // metres: what --pose takes
 
 }  // namespace
 
 FlyCamera::FlyCamera(float reach) : speed_(std::clamp(reach / 10, 0.1f, 100.0f)) {}
 
-glm::vec3 FlyCamera::forward() const {
-  return {std::sin(yaw_) * std::cos(pitch_), std::sin(pitch_), -std::cos(yaw_) * std::cos(pitch_)};
-}
-
-void FlyCamera::takeOff(const scene::CameraView& file) {
-  const glm::vec3 ahead = -glm::vec3(file.worldFromView[2]);
-  position_ = glm::vec3(file.worldFromView[3]);
-  yaw_ = std::atan2(ahead.x, -ahead.z);
-  pitch_ = std::clamp(std::asin(std::clamp(ahead.y, -1.0f, 1.0f)), -kMaxPitch, kMaxPitch);
-  flown_ = true;
-}
-
 bool FlyCamera::fly(const Flight& flight, float seconds, const scene::CameraView& file) {
   if (flight.wheel != 0) speed_ = std::clamp(speed_ * std::pow(kSpeedPerNotch, flight.wheel), kMinSpeed, kMaxSpeed);
   const bool moves = flight.push != glm::vec3(0) || flight.look != glm::vec2(0);
   if (!moves) return false;
-  if (!flown_) takeOff(file);
-  yaw_ = std::remainder(yaw_ + flight.look.x * kRadiansPerPixel, glm::two_pi<float>());
-  pitch_ = std::clamp(pitch_ - flight.look.y * kRadiansPerPixel, -kMaxPitch, kMaxPitch);
+  if (!pose_) {
+    pose_ = app::poseOf(file);
+    pose_->pitch = std::clamp(pose_->pitch, -kMaxPitch, kMaxPitch);
+  }
+  pose_->yaw = std::remainder(pose_->yaw + flight.look.x * kDegreesPerPixel, 360.0f);
+  pose_->pitch = std::clamp(pose_->pitch - flight.look.y * kDegreesPerPixel, -kMaxPitch, kMaxPitch);
   if (flight.push != glm::vec3(0)) {
-    const glm::vec3 right{std::cos(yaw_), 0, std::sin(yaw_)};
-    const glm::vec3 direction = flight.push.x * right + flight.push.y * glm::vec3(0, 1, 0) + flight.push.z * forward();
+    const float yaw = glm::radians(pose_->yaw);
+    const glm::vec3 right{std::cos(yaw), 0, std::sin(yaw)};
+    const glm::vec3 direction = flight.push.x * right + flight.push.y * glm::vec3(0, 1, 0) + flight.push.z * app::forwardOf(*pose_);
     const float length = glm::length(direction);  // 0 when forward and up cancel out
-    if (length > 1e-6f) position_ += direction / length * (speed_ * (flight.fast ? kFast : 1) * seconds);
+    if (length > 1e-6f) pose_->position += direction / length * (speed_ * (flight.fast ? kFast : 1) * seconds);
+    pose_->position = glm::clamp(pose_->position, -kMaxPosition, kMaxPosition);
   }
   return true;
 }
 
-scene::CameraView FlyCamera::view(const scene::CameraView& file) const {
-  if (!flown_) return file;
-  scene::CameraView view = file;
-  view.worldFromView = glm::inverse(glm::lookAt(position_, position_ + forward(), glm::vec3(0, 1, 0)));
-  return view;
-}
+scene::CameraView FlyCamera::view(const scene::CameraView& file) const { return pose_ ? app::placed(file, *pose_) : file; }
 
 }  // namespace tyndall::editor

@@ -1,8 +1,11 @@
 // A camera flown by hand. Until it is moved it follows the file's camera (which may be animated).
 #pragma once
 
+#include <optional>
+
 #include <glm/glm.hpp>
 
+#include "app/pose.hpp"
 #include "scene/scene.hpp"
 
 namespace tyndall::editor {
@@ -24,20 +27,18 @@ class FlyCamera {
   /// Moves by `seconds` of flight. True when the view changed.
   bool fly(const Flight& flight, float seconds, const scene::CameraView& file);
   /// Back to the file's camera.
-  void reset() { flown_ = false; }
+  void reset() { pose_.reset(); }
 
   /// Lens and, unless flown, pose are the file's. Flown, the horizon is level: the file's roll is dropped.
   scene::CameraView view(const scene::CameraView& file) const;
-  bool flown() const { return flown_; }
+  bool flown() const { return pose_.has_value(); }
+  /// Where it was flown to; nothing while it follows the file's.
+  const std::optional<app::Pose>& pose() const { return pose_; }
+  void setPose(const std::optional<app::Pose>& pose) { pose_ = pose; }
   float speed() const { return speed_; }  ///< m/s
 
  private:
-  void takeOff(const scene::CameraView& file);
-  glm::vec3 forward() const;
-
-  bool flown_ = false;
-  glm::vec3 position_{0};
-  float yaw_ = 0, pitch_ = 0;  ///< radians; yaw 0 looks down -Z and grows to the right, pitch grows upwards
+  std::optional<app::Pose> pose_;
   float speed_ = 1;
 };
 

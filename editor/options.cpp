@@ -36,6 +36,7 @@ const std::vector<Valued>& valued() {
       {"--plugin-dir", [](Options& o, const std::string& t) { return o.pluginFolder = t, Result<void>(); }},
       {"--screenshot", [](Options& o, const std::string& t) { return o.screenshot = t, Result<void>(); }},
       {"--print-state", [](Options& o, const std::string& t) { return o.state = t, Result<void>(); }},
+      {"--settings", [](Options& o, const std::string& t) { return o.settings = t, Result<void>(); }},
       {"--stress", [](Options& o, const std::string& t) { return put(o.stress, app::readCount("--stress", t, 1, 1'000'000)); }},
       {"--seed", [](Options& o, const std::string& t) { return put(o.seed, app::readCount("--seed", t, 0, 0xffffffff)); }},
       {"--device", [](Options& o, const std::string& t) { return o.device = t, Result<void>(); }},
@@ -64,6 +65,7 @@ const char* helpText() {
          "  --frames N           ends after N frames\n"
          "  --screenshot FILE.png  writes the last frame shown, the whole window\n"
          "  --print-state FILE.json  keeps a file with camera, parameters and places of the widgets up to date\n"
+         "  --settings FILE      what is remembered between runs, instead of $XDG_CONFIG_HOME/tyndall/editor.json or ~/.config/tyndall/editor.json\n"
          "  --stress N           N steps of random use in place of a user's: parameters, sizes, levels, views, reloads, faults; then a report\n"
          "  --seed S             another random use [1]\n"
          "  --device TEXT        part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best\n"

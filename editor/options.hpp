@@ -22,6 +22,7 @@ struct Options {
   std::uint32_t frames = 0;                              ///< 0: until the window is closed
   double seconds = 0;
   std::filesystem::path screenshot, state;               ///< "" = not asked for
+  std::filesystem::path settings;                        ///< what is remembered between runs; "" = the user's own file
   std::string device;
   std::uint32_t stress = 0;                              ///< steps of random use; 0: none, a user's
   std::uint32_t seed = 1;                                ///< of the random use

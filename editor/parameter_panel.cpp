@@ -1,6 +1,7 @@
 #include "parameter_panel.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,11 @@ namespace tyndall::editor {
 namespace {
 
 std::string groupOf(const std::string& id) { return id.substr(0, id.find('.')); }
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
 
 std::string titleOf(std::string group) {
   if (!group.empty()) group[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(group[0])));
@@ -44,23 +50,55 @@ bool isRead(const app::Catalogue& catalogue, const params::Parameter& parameter)
 
 }  // namespace
 
-void ParameterPanel::draw(app::Catalogue& catalogue, Workspace& workspace) {
+bool ParameterPanel::found(const params::Parameter& parameter) const {
+  const std::string sought = lower(sought_.data());
+  return sought.empty() || lower(parameter.id + "\n" + parameter.name + "\n" + parameter.doc).find(sought) != std::string::npos;
+}
+
+void ParameterPanel::header(app::Catalogue& catalogue, Workspace& workspace) {
   if (ImGui::SmallButton("reset all")) {
     catalogue.table().resetToDefaults();
     workspace.changed = true;
     workspace.tell("every parameter has its default value", false);
   }
   workspace.place("reset all");
-  for (const std::string& group : groupsOf(catalogue.table())) {
-    if (!ImGui::CollapsingHeader(titleOf(group).c_str(), ImGuiTreeNodeFlags_DefaultOpen)) continue;
+  ImGui::SameLine();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4, 0));
+  ImGui::Checkbox("changed", &changedOnly_);
+  workspace.place("changed only");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Shows only values other than the default.");
+  ImGui::SameLine();
+  if (std::exchange(focusSearch_, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##search", "search (Ctrl+F)", sought_.data(), sought_.size(), ImGuiInputTextFlags_AutoSelectAll);
+  workspace.place("search");
+  ImGui::PopStyleVar();
+}
+
+void ParameterPanel::draw(app::Catalogue& catalogue, Workspace& workspace) {
+  header(catalogue, workspace);
+  const params::Table& table = catalogue.table();
+  std::size_t shown = 0;
+  for (const std::string& group : groupsOf(table)) {
+    std::vector<const params::Parameter*> rows;
+    std::size_t changed = 0;
+    for (const params::Parameter& parameter : table.parameters()) {
+      if (groupOf(parameter.id) != group) continue;
+      changed += table.changed(parameter.id);
+      if (found(parameter) && (!changedOnly_ || table.changed(parameter.id))) rows.push_back(&parameter);
+    }
+    if (rows.empty()) continue;
+    shown += rows.size();
+    const std::string title = titleOf(group) + (changed ? "  (" + std::to_string(changed) + " changed)" : "") + "###" + group;
+    if (!ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) continue;
     if (!ImGui::BeginTable(group.c_str(), 3, ImGuiTableFlags_SizingStretchProp)) continue;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.45f);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.55f);
     ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
-    for (const params::Parameter& parameter : catalogue.table().parameters())
-      if (groupOf(parameter.id) == group) row(catalogue, parameter, workspace);
+    for (const params::Parameter* parameter : rows) row(catalogue, *parameter, workspace);
     ImGui::EndTable();
   }
+  if (shown == 0) ImGui::TextColored(kDimColor, "%s", changedOnly_ ? "no changed parameter matches" : "no parameter matches");
 }
 
 void ParameterPanel::row(app::Catalogue& catalogue, const params::Parameter& parameter, Workspace& workspace) {
@@ -84,7 +122,7 @@ void ParameterPanel::row(app::Catalogue& catalogue, const params::Parameter& par
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
   const bool waits = pending_ && pending_->id == parameter.id;
-  const auto value = parameterWidget(parameter, waits ? pending_->value : table.value(parameter.id));
+  const auto value = parameterWidget(parameter, waits ? pending_->value : table.value(parameter.id), workspace);
   workspace.place(parameter.id);
   const bool slides = parameter.type == params::Type::kInt || parameter.type == params::Type::kFloat;
   if (value && slides && parameter.structural) pending_ = Pending{parameter.id, *value};

@@ -22,13 +22,14 @@ std::optional<double> checkbox(const Parameter& parameter, double value) {
   return clicked ? std::optional<double>(on ? 1 : 0) : std::nullopt;
 }
 
-std::optional<double> combo(const Parameter& parameter, double value) {
+std::optional<double> combo(const Parameter& parameter, double value, Workspace& workspace) {
   std::optional<double> chosen;
-  if (!ImGui::BeginCombo("##value", params::toText(parameter, value).c_str())) return chosen;
+  if (!ImGui::BeginCombo("##value", params::toText(parameter, value).c_str(), ImGuiComboFlags_HeightLarge)) return chosen;
   for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
     const bool built = isBuilt(parameter, i), current = static_cast<double>(i) == value;
     const std::string label = parameter.choices[i] + (built ? "" : "  (not built yet)");
     if (ImGui::Selectable(label.c_str(), current, built ? 0 : ImGuiSelectableFlags_Disabled)) chosen = static_cast<double>(i);
+    workspace.place(parameter.id + "=" + parameter.choices[i]);
     if (current) ImGui::SetItemDefaultFocus();
   }
   ImGui::EndCombo();
@@ -49,10 +50,10 @@ std::optional<double> slider(const Parameter& parameter, double value) {
 
 }  // namespace
 
-std::optional<double> parameterWidget(const Parameter& parameter, double value) {
+std::optional<double> parameterWidget(const Parameter& parameter, double value, Workspace& workspace) {
   switch (parameter.type) {
     case params::Type::kBool: return checkbox(parameter, value);
-    case params::Type::kEnum: return combo(parameter, value);
+    case params::Type::kEnum: return combo(parameter, value, workspace);
     case params::Type::kInt:
     case params::Type::kFloat: return slider(parameter, value);
   }

@@ -61,7 +61,6 @@ void Research::drawOver(ImDrawList& list, Workspace& workspace, const Viewport& 
 
 void Research::draw(Workspace& workspace, const Viewport& viewport) {
   if (laboratory_) laboratory_->poll();
-  workspace.facts.clear();
   ResearchContext now = context(workspace, viewport);
   bar(now, viewport);
   std::optional<glm::ivec2> pixel;

@@ -7,6 +7,7 @@
 
 #include "app/session.hpp"
 #include "fly_camera.hpp"
+#include "history.hpp"
 #include "workspace.hpp"
 
 namespace tyndall::editor {
@@ -20,6 +21,7 @@ class StateFile {
     app::Session& session;
     const Workspace& workspace;
     const FlyCamera& camera;
+    const History& history;
     scene::CameraView view;
     std::uint32_t frames = 0, pictures = 0;  ///< windows shown; pictures rendered for them
   };

@@ -1,13 +1,10 @@
-// What a frame costs and what was said last.
+// What was said last.
 #pragma once
 
 #include "app/session.hpp"
 #include "workspace.hpp"
 
 namespace tyndall::editor {
-
-/// The passes of the newest finished frame with owner and GPU time. Fills the rest of the current ImGui window.
-void drawPassTimes(const app::Session& session);
 
 /// The line at the bottom: the newest message, else device and size of the picture.
 void drawStatus(app::Session& session, const Workspace& workspace, std::uint32_t width, std::uint32_t height);

@@ -17,7 +17,7 @@ namespace {
 /// Options as the text they were given as.
 struct Given {
   std::string level, camera = "0", size = "1280x720", frames = "1", seconds = "0", samples = "1024";
-  std::string preset, plugins, out, scatter, depth, stats, debugView, device;
+  std::string pose, preset, plugins, out, scatter, depth, stats, debugView, device;
   std::vector<std::string> assignments;
   bool validate = false, json = false;
   std::vector<std::string> levels, compare;
@@ -40,6 +40,8 @@ void addSettings(CLI::App& command, Given& given) {
 
 void addView(CLI::App& command, Given& given) {
   command.add_option("--camera", given.camera, "which of the file's perspective cameras, in node order [0]")->type_name("N");
+  command.add_option("--pose", given.pose, "stands the camera at X,Y,Z (metres) and turns it (degrees; yaw 0 is along -Z and grows to the right); the lens stays")
+      ->type_name("X,Y,Z,YAW,PITCH");
   command.add_option("--size", given.size, "size of the picture in pixels [1280x720]")->type_name("WxH");
   command.add_option("--time", given.seconds, "time of the level's animations [0]")->type_name("SECONDS");
 }
@@ -130,6 +132,11 @@ Result<void> readView(const Given& given, T& options) {
   if (!size) return size.error();
   auto seconds = readSeconds("--time", given.seconds);
   if (!seconds) return seconds.error();
+  if (!given.pose.empty()) {
+    auto pose = readPose("--pose", given.pose);
+    if (!pose) return pose.error();
+    options.pose = *pose;
+  }
   options.camera = *camera;
   options.size = *size;
   options.seconds = *seconds;

@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "app/bench_options.hpp"
+#include "app/pose.hpp"
 #include "base/result.hpp"
 
 namespace tyndall::app {
@@ -23,6 +25,7 @@ struct SettingsOptions {
 struct RenderOptions {
   std::string level;
   std::uint32_t camera = 0;
+  std::optional<Pose> pose;  ///< where the camera stands instead of where the file puts it
   std::pair<std::uint32_t, std::uint32_t> size{1280, 720};
   std::uint32_t frames = 1;
   double seconds = 0;
@@ -35,6 +38,7 @@ struct RenderOptions {
 struct TruthOptions {
   std::string level;
   std::uint32_t camera = 0;
+  std::optional<Pose> pose;  ///< where the camera stands instead of where the file puts it
   std::pair<std::uint32_t, std::uint32_t> size{1280, 720};
   std::uint32_t samples = 1024;
   double seconds = 0;

@@ -4,54 +4,25 @@
 #include "app/outputs.hpp"
 #include "app/values.hpp"
 #include "commands.hpp"
+#include "render_files.hpp"
 #include "render_run.hpp"
 #include "settings.hpp"
 #include "stats.hpp"
 
-#include "base/file.hpp"
-#include "image/image_io.hpp"
-
 namespace tyndall::app {
-namespace {
-
-struct OptionFile {
-  const char* option;
-  const std::string& path;
-  const char* extension;
-};
-
-Result<void> addOutputs(Outputs& outputs, const RenderOptions& options, const std::filesystem::path& level) {
-  outputs.protect(level);
-  if (!options.settings.preset.empty()) outputs.protect(options.settings.preset);
-  for (const OptionFile& file : {OptionFile{"--out", options.picture, ".png"}, OptionFile{"--scatter", options.scatter, ".exr"},
-                                 OptionFile{"--depth", options.depth, ".exr"}, OptionFile{"--stats", options.stats, ".json"}})
-    if (!file.path.empty())
-      if (auto added = outputs.add(file.option, file.path, file.extension); !added) return added;
-  return {};
-}
-
-Result<void> writeOutputs(Outputs& outputs, const Readback& readback, const std::string& stats) {
-  using Path = std::filesystem::path;
-  if (auto done = outputs.write("--out", [&](const Path& p) { return image::writePng(p, readback.picture()); }); !done) return done;
-  if (auto done = outputs.write("--scatter", [&](const Path& p) { return image::writeExr(p, readback.scatter()); }); !done) return done;
-  if (auto done = outputs.write("--depth", [&](const Path& p) { return image::writeExr(p, readback.distance()); }); !done) return done;
-  if (auto done = outputs.write("--stats", [&](const Path& p) { return writeTextAtomically(p, stats); }); !done) return done;
-  return outputs.commit();
-}
-
-}  // namespace
 
 Result<void> runRender(const RenderOptions& options) {
   auto path = findLevel(options.level);
   if (!path) return path.error();
   Outputs outputs;
-  if (auto added = addOutputs(outputs, options, *path); !added) return added;
+  if (auto added = addRenderFiles(outputs, options, *path); !added) return added;
   auto catalogue = loadSettings(options.settings);
   if (!catalogue) return catalogue.error();
   auto level = loadLevel(options.level);
   if (!level) return level.error();
   auto camera = chooseCamera(*level, options.camera, options.seconds);
   if (!camera) return camera.error();
+  if (options.pose) *camera = placed(*camera, *options.pose);
   std::vector<std::string> warnings = (*catalogue)->warnings(), notes = level->notes;
   warnings.insert(warnings.end(), level->warnings.begin(), level->warnings.end());
 
@@ -71,7 +42,7 @@ Result<void> runRender(const RenderOptions& options) {
 
   std::vector<std::string> told = warnings;
   told.insert(told.end(), notes.begin(), notes.end());
-  if (auto written = writeOutputs(outputs, run->readback, statsJson(options, session, *run, told)); !written) return written;
+  if (auto written = writeRenderFiles(outputs, run->readback, statsJson(options, session, *run, told)); !written) return written;
   tell(warnings, notes);
   std::string text = statsTable(options, session, *run);
   for (const std::filesystem::path& file : outputs.paths()) text += file.string() + "\n";

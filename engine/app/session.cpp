@@ -35,6 +35,7 @@ Result<void> Session::setLevel(Level level) {
   if (auto uploaded = renderer_->setScene(level.scene); !uploaded)
     return Error{level.path.string() + ": " + uploaded.error().message, uploaded.error().kind};
   level_ = std::move(level);
+  ++levelsSet_;
   cut_ = true;
   return {};
 }

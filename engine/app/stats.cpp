@@ -84,6 +84,7 @@ std::string statsJson(const RenderOptions& options, Session& session, const Rend
   j["driver"] = session.device().info().driver;
   j["level"] = options.level;
   j["camera"] = options.camera;
+  if (options.pose) j["pose"] = poseText(*options.pose);
   j["size"] = {options.size.first, options.size.second};
   j["frames"] = options.frames;
   j["gpu_ms"] = totalMs(run.passes);

@@ -38,6 +38,7 @@ Result<void> runTruth(const TruthOptions& options) {
   if (!level) return level.error();
   auto camera = chooseCamera(*level, options.camera, options.seconds);
   if (!camera) return camera.error();
+  if (options.pose) *camera = placed(*camera, *options.pose);
 
   const params::Table& table = (*catalogue)->table();
   truth::Settings settings;

@@ -33,6 +33,8 @@ TEST_F(BadCall, Numbers) {
   for (const char* frames : {"0", "-1", "1.5", "many", "99999999999"}) expectRefused({"render", "hall", "--frames", frames}, 2, {"--frames"});
   for (const char* camera : {"-1", "one", "0x1"}) expectRefused({"render", "hall", "--camera", camera}, 2, {"--camera"});
   for (const char* seconds : {"-1", "nan", "inf", "soon"}) expectRefused({"render", "hall", "--time", seconds}, 2, {"--time"});
+  for (const char* pose : {"1,2,3", "1,2,3,4,91", "a,b,c,d,e"})
+    for (const char* command : {"render", "truth"}) expectRefused({command, "hall", "--pose", pose}, 2, {"--pose", "X,Y,Z,YAW,PITCH"});
   expectRefused({"truth", "hall", "--samples", "0", "--out", "a.exr"}, 2, {"--samples"});
 }
 

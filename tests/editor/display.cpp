@@ -106,7 +106,8 @@ void EditorTest::TearDown() {
 
 void EditorTest::startEditor(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), std::string(TYNDALL_BIN_DIR) + "/tyndall-editor");
-  arguments.insert(arguments.end(), {"--print-state", (folder_ / "state.json").string()});
+  // What is remembered between runs is the user's own: a test leaves it alone.
+  arguments.insert(arguments.end(), {"--print-state", (folder_ / "state.json").string(), "--settings", (folder_ / "settings.json").string()});
   editor_.start(arguments, display_, folder_ / "editor.err");
 }
 
@@ -134,15 +135,42 @@ void EditorTest::input(const std::vector<std::string>& words) {
 // There is no window manager: the focus is set by hand.
 void EditorTest::focus() { input({"search", "--sync", "--name", "Tyndall", "windowfocus", "--sync"}); }
 
-void EditorTest::clickAt(double x, double y) {
-  const auto frames = [this] { return state().value("frames", 0); };
-  const auto later = [&](int count) { const int now = frames(); waitFor([=](const auto& s) { return s["frames"] >= now + count; }, 20); };
-  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", std::to_string(static_cast<int>(x)), std::to_string(static_cast<int>(y))});
-  later(2);
+void EditorTest::waitFrames(int count) {
+  const int now = state().value("frames", 0);
+  waitFor([=](const auto& s) { return s["frames"] >= now + count; }, 20);
+}
+
+void EditorTest::drag(const std::string& widget, double from, double to) {
+  const nlohmann::json now = state();
+  ASSERT_TRUE(now["widgets"].contains(widget)) << widget << " is not in the window";
+  const auto rect = now["widgets"][widget].get<std::vector<double>>();
+  const auto move = [&](double share) {
+    const int x = static_cast<int>(rect[0] + share * rect[2]), y = static_cast<int>(rect[1] + rect[3] / 2);
+    input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", std::to_string(x), std::to_string(y)});
+    waitFrames(2);
+  };
+  move(from);
   input({"mousedown", "1"});
-  later(2);
+  waitFrames(2);
+  for (int i = 1; i <= 4; ++i) move(from + (to - from) * i / 4);
   input({"mouseup", "1"});
-  later(2);
+  waitFrames(3);
+}
+
+void EditorTest::keys(const std::vector<std::string>& names) {
+  for (const std::string& name : names) input({"keydown", name});
+  waitFrames(2);
+  for (auto name = names.rbegin(); name != names.rend(); ++name) input({"keyup", *name});
+  waitFrames(2);
+}
+
+void EditorTest::clickAt(double x, double y) {
+  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", std::to_string(static_cast<int>(x)), std::to_string(static_cast<int>(y))});
+  waitFrames(2);
+  input({"mousedown", "1"});
+  waitFrames(2);
+  input({"mouseup", "1"});
+  waitFrames(2);
 }
 
 void EditorTest::click(const std::string& widget) {

@@ -51,6 +51,11 @@ class EditorTest : public ::testing::Test {
   void click(const std::string& widget);
   void clickAt(double x, double y);
   void focus();
+  /// Presses the mouse at one share of the widget's width, moves in several steps, and lets go at another.
+  void drag(const std::string& widget, double from, double to);
+  /// Holds the keys together, long enough for a slow frame.
+  void keys(const std::vector<std::string>& names);
+  void waitFrames(int count);
 
   std::filesystem::path folder_;
   std::string display_;

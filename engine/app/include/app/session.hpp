@@ -43,6 +43,11 @@ class Session {
 
   /// Uploads the level; the next frame is a cut. On an error no level is set.
   Result<void> setLevel(Level level);
+  /// How often a level was set: another number, another level.
+  std::uint64_t levelsSet() const { return levelsSet_; }
+  /// Lights, and where nodes stand, may be changed between frames; the next one shows it. Nothing else of the scene may: the
+  /// rest is uploaded. A level must be set.
+  scene::Scene& editScene() { return level_->scene; }
   const Level* level() const { return level_ ? &*level_ : nullptr; }
 
   /// Waits for a free frame slot, begins the device's frame and declares the whole deferred frame in `graph`. A level
@@ -50,6 +55,8 @@ class Session {
   Result<render::FrameOutput> buildFrame(render::Graph& graph, const FrameRequest& request);
   /// Compiles, records with a timestamp after each pass, submits. `signals` is for a window's swapchain.
   Result<void> submitFrame(render::Graph& graph, const gpu::FrameSignals& signals = {});
+  /// The next frame is as the first after setLevel(): a cut, with the frame number that noise starts from.
+  void restart() { frameIndex_ = 0, cut_ = true; }
   /// Waits for every submitted frame and takes its times.
   Result<void> finishFrames();
 
@@ -104,6 +111,7 @@ class Session {
   render::GraphStatistics statistics_;
   std::uint64_t finished_ = 0;
   std::uint64_t frameIndex_ = 0;
+  std::uint64_t levelsSet_ = 0;
   std::pair<std::uint32_t, std::uint32_t> lastSize_{0, 0};
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   bool cut_ = true;

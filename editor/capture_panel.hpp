@@ -1,0 +1,36 @@
+// The capture window: which files, where, and the command that makes them again.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include "app/capture.hpp"
+#include "settings_file.hpp"
+#include "workspace.hpp"
+
+namespace tyndall::editor {
+
+class CapturePanel {
+ public:
+  bool open = false;
+  bool picture = true, scatter = false, depth = false, stats = true;
+  std::array<char, 1024> folder{};  ///< "" = the working folder
+
+  void restore(const Settings& settings);
+  void keep(Settings& settings) const;
+  /// True: the button was pressed.
+  bool draw(Workspace& workspace);
+  /// Captures what `view` says; the files get the first free number in the folder, the clipboard gets the command.
+  /// Where lights were edited, the level is written beside them, as the command must find it so.
+  Result<void> take(app::Session& session, app::Capture view, bool lightsEdited);
+  /// Path of `base` with an extension in the folder chosen.
+  std::filesystem::path fileOf(const std::string& base, const char* extension) const;
+  std::string freeBase(const std::string& level) const;
+  const std::string& command() const { return command_; }
+
+ private:
+  std::string command_, base_;
+};
+
+}  // namespace tyndall::editor
