@@ -98,6 +98,8 @@ std::uint32_t LayoutBuilder::uniform(std::string name, std::uint32_t bytes, bool
 
 std::uint32_t LayoutBuilder::compute(ComputePass pass) {
   pass.specializations.insert(pass.specializations.end(), common_.begin(), common_.end());
+  for (TyBinding& binding : pass.bindings)
+    if (binding.source == TY_SOURCE_UNIFORM && binding.index == substituted_) binding.index = substitute_;
   if (pass.lightKinds == kEachLight) {
     pass.lightKinds = roles_.classes.back().kinds;
     roles_.classes.back().passes.push_back(static_cast<std::uint32_t>(passes_.size()));

@@ -52,7 +52,9 @@ class LayoutBuilder {
   std::uint32_t buffer(const char* name, std::uint64_t bytes);
   std::uint32_t uniform(std::string name, std::uint32_t bytes, bool perLight);
   /// Kinds of light that passes for kEachLight run for from here on, those with a cookie or those without: LayoutRoles::classes keeps which.
-  void lights(std::uint32_t kinds, bool cookie) { roles_.classes.push_back({kinds, cookie, {}}); }
+  void lights(std::uint32_t kinds, bool cookie, bool fading = false) { roles_.classes.push_back({kinds, cookie, fading, {}}); }
+  /// Compute passes from here on that bind uniform block `from` get block `to` instead; the same twice: as they were.
+  void substituteUniform(std::uint32_t from, std::uint32_t to) { substituted_ = from, substitute_ = to; }
   /// Specialization constants that every compute pass from here on gets besides its own.
   void specializeAll(std::vector<TySpecialization> constants) { common_ = std::move(constants); }
   /// Returns the pass's index.
@@ -80,6 +82,7 @@ class LayoutBuilder {
   std::deque<std::string> names_;
   std::deque<TyTarget> targets_;
   std::vector<TySpecialization> common_;
+  std::uint32_t substituted_ = TY_NONE, substitute_ = TY_NONE;
   LayoutRoles roles_;
   TyLayout layout_{};
 };

@@ -20,15 +20,21 @@ class LayoutBuilder;
 struct ClassPasses {
   std::uint32_t kinds = 0;               ///< bits of TyLightKind
   bool cookie = false;                   ///< of lights with a cookie, or of those without
+  bool fading = false;                   ///< for the second map of a sun whose rectification changes
   std::vector<std::uint32_t> passes;
 };
 
-/// Passes and blocks of a layout that prepare() must find again.
-struct LayoutRoles {
+/// Passes and blocks that make a sun's rectified map.
+struct MapPasses {
   std::uint32_t rectifyPass = TY_NONE;   ///< resampling, skipped in frames with a projective map
   std::uint32_t casterPass = TY_NONE;    ///< first of the passes that rasterise projective maps, skipped in other frames
   std::uint32_t casterBlock = TY_NONE;   ///< first of their uniform blocks, one mat4 each
   std::uint32_t splits = 0;              ///< how many of both
+};
+
+/// Passes and blocks of a layout that prepare() must find again.
+struct LayoutRoles {
+  MapPasses map, fadingMap;
   std::vector<ClassPasses> classes;
   std::vector<std::uint32_t> localPasses;  ///< those that run for spot or point lights
   std::uint32_t standInClear = TY_NONE;  ///< clears the result in frames in which the only light, a local one, reaches no view ray

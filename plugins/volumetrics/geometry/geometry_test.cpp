@@ -241,6 +241,36 @@ TEST(LinearFrame, ViewRaysAreRowsOfConstantDepth) {
 
 // Why column edges come from the matrix: Klehm et al. 2014, equation 12 lets columns grow by one factor, taken from the first three
 // texel centres. They are uniform in 1/x, so the factor rises along the row, and the columns of that equation end far before the row.
+TEST(LinearFrame, ItsShareFallsFromAllToNone) {
+  LinearFrame frame;
+  frame.evenColumn = 0.01;
+  frame.longestColumn = 0.03;
+  frame.widestSlice = 1.2;
+  EXPECT_EQ(linearShare(frame), 1);
+  double before = 1;
+  for (double columns = 3; columns < 4.2; columns += 0.01) {
+    frame.longestColumn = columns * frame.evenColumn;
+    const double share = linearShare(frame);
+    EXPECT_LE(share, before);
+    EXPECT_GE(share, before - 0.05) << "a jump is seen";
+    if (columns >= 4) {
+      EXPECT_EQ(share, 0) << "columns of more than four epipolar ones";
+    }
+    before = share;
+  }
+  frame.longestColumn = 0.03;
+  frame.widestSlice = 1.36;
+  const double between = linearShare(frame);
+  EXPECT_GT(between, 0);
+  EXPECT_LT(between, 1);
+  frame.widestSlice = 1.41;
+  EXPECT_EQ(linearShare(frame), 0);
+  // Where nothing can be blocked there are no columns to compare.
+  frame.evenColumn = frame.longestColumn = 0;
+  frame.widestSlice = 1;
+  EXPECT_EQ(linearShare(frame), 1);
+}
+
 TEST(LinearFrame, AConstantGrowthFactorFallsShort) {
   const double near = 0.1, far = 90;
   const int columns = 1024;

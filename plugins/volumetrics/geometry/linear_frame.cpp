@@ -12,6 +12,8 @@ constexpr double kLargestSpan = std::numbers::pi * 178 / 180;
 /// auto: longest column and widest slice, in even ones. At a width of 1.4 the maps were equally exact (min_max on hall and forest), at 2
 /// the projective one was worse by a tenth to a half, at 10 by half to double.
 constexpr double kLongestColumn = 4, kWidestSlice = 1.4;
+/// How far below these limits a projective map takes over wholly. Found by turning cameras on two levels: 0.3 and 0.06 at least are six degrees.
+constexpr double kColumnFade = 0.35, kSliceFade = 0.07;
 
 /// Direction in the middle of the two projected corners that span the largest angle; none if that is too large.
 std::optional<glm::dvec2> bisectrix(const std::array<glm::dvec2, 4>& corners) {
@@ -139,8 +141,9 @@ std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uin
   return frame;
 }
 
-bool isEvenEnough(const LinearFrame& frame) {
-  return frame.longestColumn <= kLongestColumn * frame.evenColumn && frame.widestSlice <= kWidestSlice;
+double linearShare(const LinearFrame& frame) {
+  const double columns = frame.evenColumn > 0 ? (kLongestColumn - frame.longestColumn / frame.evenColumn) / kColumnFade : 1;
+  return std::clamp(std::min(columns, (kWidestSlice - frame.widestSlice) / kSliceFade), 0.0, 1.0);
 }
 
 }  // namespace volumetrics

@@ -28,8 +28,9 @@ std::array<double, kMaxSplits + 1> splitBorders(double first, double last, std::
 /// light. `splits` is 1...4; their borders make the last columns of all as short as they can be.
 std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uint32_t splits);
 
-/// The rule of rectification=auto: the last column of no split is longer than four epipolar ones, no slice wider than 1.4. The
-/// latter comes first when the light nears the screen: seen along it, the view then spans nearly half a circle.
-bool isEvenEnough(const LinearFrame& frame);
+/// The rule of rectification=auto: the share of the light, 0...1, that the projective map answers for. None if the last column of a split is
+/// longer than four epipolar ones or a slice wider than 1.4; all if they are well below; between, in which a camera turns some six degrees,
+/// one map fades into the other. Slices come first when the light nears the screen: seen along it, the view then spans nearly half a circle.
+double linearShare(const LinearFrame& frame);
 
 }  // namespace volumetrics

@@ -85,8 +85,8 @@ void addRowViews(const LayoutContext& context, LayoutBuilder& builder, const Rec
 
 void addRowLayout(const LayoutContext& context, LayoutBuilder& builder,
                   void (*addClass)(const LayoutContext&, LayoutBuilder&, const LightClass&, bool)) {
-  addRowBlocks(builder);
-  const bool add = beginLights(context, builder, kFrameBlock);
+  addRowBlocks(context, builder);
+  const bool add = beginLights(context, builder, kFrameBlock, mayFade(context));
   for (const LightClass& lights : lightClasses(context)) addClass(context, builder, lights, add);
   if (context.structure.light_count > 0) addDifferenceView(context, builder, kFrameBlock, kLightBlock, kLocalBlock, kCookieBlock);
 }

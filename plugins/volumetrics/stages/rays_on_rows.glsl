@@ -168,7 +168,7 @@ void main() {
     if (kLocal) integral *= light.local.intensity;
   }
   vec3 radiance = frame.rays.albedo * sigma_t * max(integral, vec3(0.0));
-  if (!kLocal) radiance *= phaseHenyeyGreenstein(local.z, frame.rays.g) * light.sun.irradiance;
+  if (!kLocal) radiance *= phaseHenyeyGreenstein(local.z, frame.rays.g) * light.sun.irradiance * light.map.share;
 #ifdef TY_SHOWN
   vec4 shown = TY_SHOWN;
   if (shown.a >= 0.0) {

@@ -81,33 +81,49 @@ glm::vec2 onScreen(const RayBlock& rays, const glm::vec3& direction) {
   return (ndc + 1.0f) / rays.pixelScale;
 }
 
-/// Chooses the map of this frame, parts it, and fills the matrices of its splits if it is projective.
-RectificationBlock chooseMap(const FrameContext& context, const Settings& settings, const RectificationInput& input, std::uint32_t light,
-                             bool parted) {
-  const std::uint32_t splits = context.roles.splits;
-  std::optional<LinearFrame> linear;
+/// The map of a sun, parted, made by `passes`: their matrices are filled, and those that it does not need left out.
+RectificationBlock makeMap(const FrameContext& context, const Settings& settings, const RectificationInput& input, const MapPasses& passes,
+                           std::uint32_t light, const std::optional<LinearFrame>& linear, bool useLinear, bool parted) {
   const bool mayBeLinear = rectification(settings) != Rectification::kEpipolar && !input.wholeView;
-  context.report.linearCookie |= rectification(settings) == Rectification::kLinear && input.wholeView;
-  if (mayBeLinear) linear = linearFrame(input, splits);
-  const bool useLinear = linear && (rectification(settings) == Rectification::kLinear || isEvenEnough(*linear));
-  context.report.linearImpossible |= mayBeLinear && !linear && rectification(settings) == Rectification::kLinear;
-
   RectificationInput wide = input;
-  if (!input.wholeView) wide.columns *= std::max(1u, splits);
+  if (!input.wholeView) wide.columns *= std::max(1u, passes.splits);
   RectificationBlock map = useLinear ? linear->block : epipolarBlock(wide);
   const auto regions = static_cast<std::uint32_t>(settings.regions);
   if (!parted)
     setWhole(map);
-  else if (!useLinear && mayBeLinear && splits > 1 && map.reach > 0)
-    setSegmentsByDistance(map, splits, regions, input.rays.znear, linear);
+  else if (!useLinear && mayBeLinear && passes.splits > 1 && map.reach > 0)
+    setSegmentsByDistance(map, passes.splits, regions, input.rays.znear, linear);
   else
     setSegments(map, regions);
-  if (useLinear) context.skip(context.roles.rectifyPass, light);
-  for (std::uint32_t i = 0; i < splits; ++i) {
-    context.block<glm::mat4>(context.roles.casterBlock + i, light) = useLinear ? linear->clipFromWorld[i] : glm::mat4(0.0f);
-    if (!useLinear || map.polygonCount == 0) context.skip(context.roles.casterPass + i, light);
+  map.depthPower = 1.0f / (1.0f + settings.depth_warp);
+  if (useLinear) context.skip(passes.rectifyPass, light);
+  for (std::uint32_t i = 0; i < passes.splits; ++i) {
+    context.block<glm::mat4>(passes.casterBlock + i, light) = useLinear ? linear->clipFromWorld[i] : glm::mat4(0.0f);
+    if (!useLinear || map.polygonCount == 0) context.skip(passes.casterPass + i, light);
   }
   return map;
+}
+
+/// Chooses the rectification of a sun in this frame, or shares its light between two. Returns whether the second map, `fading`, has a part;
+/// what is not about maps is left to the caller there.
+bool chooseMaps(const FrameContext& context, const Settings& settings, const RectificationInput& input, std::uint32_t light, bool parted,
+                RectifiedLightBlock& block, RectifiedLightBlock* fading) {
+  std::optional<LinearFrame> linear;
+  const bool mayBeLinear = rectification(settings) != Rectification::kEpipolar && !input.wholeView;
+  const bool mustBeLinear = rectification(settings) == Rectification::kLinear;
+  context.report.linearCookie |= mustBeLinear && input.wholeView;
+  if (mayBeLinear) linear = linearFrame(input, context.roles.map.splits);
+  context.report.linearImpossible |= mayBeLinear && !linear && mustBeLinear;
+
+  const double share = !linear ? 0.0 : mustBeLinear ? 1.0 : linearShare(*linear);
+  const bool useLinear = share >= 0.5, both = fading != nullptr && share > 0 && share < 1;
+  block.map = makeMap(context, settings, input, context.roles.map, light, linear, useLinear, parted);
+  block.map.share = 1;
+  if (!both) return false;
+  block.map.share = static_cast<float>(useLinear ? share : 1 - share);
+  fading->map = makeMap(context, settings, input, context.roles.fadingMap, light, linear, !useLinear, parted);
+  fading->map.share = 1 - block.map.share;
+  return true;
 }
 
 /// The most important light has the map that the settings ask for; further ones have as much as they have of the screen.
@@ -161,11 +177,12 @@ void addShine(LayoutBuilder& builder, RectifyStage& stage, std::uint32_t rays, c
 
 }  // namespace
 
-void addRowBlocks(LayoutBuilder& builder) {
+void addRowBlocks(const LayoutContext& context, LayoutBuilder& builder) {
   builder.uniform("frame", sizeof(RectifiedBlock), false);
   builder.uniform("light", sizeof(RectifiedLightBlock), true);
   builder.uniform("local light", sizeof(LocalBlock), true);
   builder.uniform("cookie", sizeof(CookieBlock), true);
+  if (mayFade(context)) builder.uniform("fading light", sizeof(RectifiedLightBlock), true);
 }
 
 TyBinding resultAt5(const LightClass& lights, bool add) {
@@ -173,8 +190,14 @@ TyBinding resultAt5(const LightClass& lights, bool add) {
   return outputAt(5, add || lights.local ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE);
 }
 
+bool mayFade(const LayoutContext& context) {
+  return rectification(context.settings) == Rectification::kAuto && context.directionalLights > context.sunCookies;
+}
+
 std::vector<LightClass> lightClasses(const LayoutContext& context) {
   std::vector<LightClass> classes;
+  // Images are shared: what is shown of them is of the map that comes last.
+  if (mayFade(context)) classes.push_back({.fading = true});
   if (context.directionalLights > context.sunCookies) classes.push_back({false, false, false});
   if (context.sunCookies > 0) classes.push_back({false, true, true});
   if (context.localLights() > context.localCookies) classes.push_back({true, true, false});
@@ -188,7 +211,8 @@ std::uint32_t rowsOf(const Settings& settings, const LightClass& lights) {
 
 void beginClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights) {
   const Settings& settings = context.settings;
-  builder.lights(lights.local ? kLocalLights : kSuns, lights.coloured);
+  builder.lights(lights.local ? kLocalLights : kSuns, lights.coloured, lights.fading);
+  builder.substituteUniform(kLightBlock, lights.fading ? kFadingBlock : kLightBlock);
   builder.specializeAll({{13, isProjective(settings, lights) ? 1u : 0u},
                          {14, static_cast<SliceSpacing>(settings.slice_spacing) == SliceSpacing::kBorder ? 1u : 0u},
                          {15, lights.local ? 1u : 0u},
@@ -208,6 +232,7 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, co
   const auto rays = static_cast<std::uint32_t>(settings.reference_rays);
   const bool projective = isProjective(settings, lights);
   filterable &= !lights.local;
+  MapPasses& passes = lights.fading ? builder.roles().fadingMap : builder.roles().map;
   RectifyStage stage;
   stage.lights = lights;
   stage.slices = static_cast<std::uint32_t>(settings.slices);
@@ -230,7 +255,7 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, co
     const std::uint32_t pass = builder.compute(
         {"rectify", "rectify.comp", bindings, groups8(stage.slices), groups8(stage.rows), 1, kEachLight,
          {{0, stage.filtered ? 1u : 0u}, {1, context.shadowMoments == TY_FORMAT_RGBA16_UNORM ? 1u : 0u}}});
-    if (!lights.coloured) builder.roles().rectifyPass = pass;
+    if (!lights.coloured) passes.rectifyPass = pass;
   }
   builder.debugView("rectified", "Rectified map, resampled: slices along x, columns along y; depth of the first blocker, white = none",
                     TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f, TY_VIEW_ROWS);
@@ -255,13 +280,13 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, co
 
   const auto splits = static_cast<std::uint32_t>(settings.splits);
   stage.projective = builder.image("projective", TY_FORMAT_D32_FLOAT, stage.slices, columns, splits, true);
-  builder.roles().splits = splits;
+  passes.splits = splits;
   for (std::uint32_t i = 0; i < splits; ++i) {
-    const std::string name = "split " + std::to_string(i);
+    const std::string name = (lights.fading ? "fading split " : "split ") + std::to_string(i);
     const std::uint32_t block = builder.uniform(name, sizeof(glm::mat4), true);
     const std::uint32_t pass = builder.casters("rectify linear " + std::to_string(i), stage.projective, i, block);
-    if (i == 0) builder.roles().casterBlock = block;
-    if (i == 0) builder.roles().casterPass = pass;
+    if (i == 0) passes.casterBlock = block;
+    if (i == 0) passes.casterPass = pass;
     builder.debugView("projective_" + std::to_string(i),
                       "Rectified map, rasterised, of split " + std::to_string(i) + ": slices along x, columns along y; white = no blocker",
                       TY_SOURCE_IMAGE, stage.projective, i, 0, 0.0f, 1.0f, splits == 1 ? TY_VIEW_ROWS : TY_VIEW_PLAIN);
@@ -280,9 +305,13 @@ void prepareRectify(const FrameContext& context, bool parted) {
   frame.rectified.epipole_block = settings.epipole_block;
   frame.rectified.column_spacing = settings.column_spacing;
   bool anyLocal = false;
+  const auto isMain = [](const ClassPasses& passes) { return !passes.fading; };
+  const auto classes = std::count_if(context.roles.classes.begin(), context.roles.classes.end(), isMain);
+  const bool fadingPasses = classes < static_cast<std::ptrdiff_t>(context.roles.classes.size());
   for (std::uint32_t i = 0; i < context.frame.light_count; ++i) {
     const TyLight& light = context.frame.lights[i];
     auto& block = context.block<RectifiedLightBlock>(kLightBlock, i);
+    auto* fading = fadingPasses ? &context.block<RectifiedLightBlock>(kFadingBlock, i) : nullptr;
     RectificationInput input;
     input.rays = frame.rays;
     input.columns = static_cast<std::uint32_t>(settings.columns);
@@ -291,16 +320,18 @@ void prepareRectify(const FrameContext& context, bool parted) {
     block.cookie = context.block<CookieBlock>(kCookieBlock, i) = cookieBlock(light, frame.rays.eye);
     // A technique with a single class takes all lights of its kinds for it.
     for (const ClassPasses& passes : context.roles.classes)
-      if (context.roles.classes.size() > 1 && (passes.kinds >> light.kind & 1u) != 0 && passes.cookie != (block.cookie.faces != 0))
+      if (!passes.fading && classes > 1 && (passes.kinds >> light.kind & 1u) != 0 && passes.cookie != (block.cookie.faces != 0))
         for (const std::uint32_t pass : passes.passes) context.skip(pass, i);
+    bool fades = false;
     if (light.kind == TY_LIGHT_DIRECTIONAL) {
       block.sun = sunBlock(light, frame.rays.eye);
       input.towards = block.sun.towards;
       input.wholeView = block.cookie.faces != 0;
       for (std::size_t corner = 0; corner < 8; ++corner) input.casterCorners[corner] = glm::make_vec3(light.caster_corners[corner]);
-      block.map = chooseMap(context, settings, input, i, parted);
+      fades = chooseMaps(context, settings, input, i, parted, block, fading);
       const glm::vec3 a = block.sun.towards;
       block.map.shadowAlong = block.sun.shadowX * a.x + block.sun.shadowY * a.y + block.sun.shadowZ * a.z;
+      if (fades) fading->map.shadowAlong = block.map.shadowAlong;
     } else {
       block.local = localBlock(light, frame.rays.eye);
       context.block<LocalBlock>(kLocalBlock, i) = block.local;
@@ -322,11 +353,19 @@ void prepareRectify(const FrameContext& context, bool parted) {
       shareOfScreen(context, input, i, block.local);
       block.map = epipolarBlock(input);
       setSegments(block.map, static_cast<std::uint32_t>(settings.regions));
+      block.map.depthPower = 1.0f / (1.0f + settings.depth_warp);
       block.thetaLow = std::max(block.map.depthLow, 0.0f);
       block.thetaHigh = std::min(block.map.depthLow + 1 / block.map.depthScale, std::numbers::pi_v<float>);
     }
-    block.map.depthPower = 1.0f / (1.0f + settings.depth_warp);
     block.epipoles = glm::vec4(onScreen(frame.rays, block.sun.towards), onScreen(frame.rays, -block.sun.towards));
+    if (fades) {
+      const RectificationBlock map = fading->map;
+      *fading = block;
+      fading->map = map;
+    }
+    for (const ClassPasses& passes : context.roles.classes)
+      if (passes.fading && !fades)
+        for (const std::uint32_t pass : passes.passes) context.skip(pass, i);
   }
   // The only light's pass writes the result itself, or else the clearing pass does.
   if (anyLocal && context.roles.standInClear != TY_NONE) context.skip(context.roles.standInClear, 0);

@@ -15,6 +15,8 @@ constexpr std::uint32_t kFrameBlock = 0, kLightBlock = 1;
 constexpr std::uint32_t kLocalBlock = 2;
 /// The CookieBlock of each light by itself, likewise.
 constexpr std::uint32_t kCookieBlock = 3;
+/// With rectification=auto, the RectifiedLightBlock of a sun's second map while one map fades into the other.
+constexpr std::uint32_t kFadingBlock = 4;
 
 /// Lights that the same passes serve: suns, or spot and point lights, with a cookie or without. In each frame the passes of other classes are
 /// left out for a light.
@@ -22,7 +24,10 @@ struct LightClass {
   bool local = false;
   bool shaped = false;    ///< light rays differ in strength: cones, cookies
   bool coloured = false;  ///< they have a cookie
+  bool fading = false;    ///< the second maps of suns between two rectifications: added to the result, and left out of most frames
 };
+/// Whether a layout has passes for second maps: rectification=auto and a sun without a cookie. The result must then be cleared and added to.
+bool mayFade(const LayoutContext& context);
 /// The classes of a layout's lights. For each, begin with beginClass() and add all passes; images are shared.
 std::vector<LightClass> lightClasses(const LayoutContext& context);
 /// Columns of all splits that rows of a class have.
@@ -58,8 +63,8 @@ TyBinding resultAt5(const LightClass& lights, bool add);
 /// spot and point lights "unshadowed"; where light rays differ "shine" and "lit".
 /// `filterable`: the technique can take two depths a texel (volumetrics.filtered_resampling; suns only).
 RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights, DepthBits bits, bool filterable);
-/// Adds the two uniform blocks of addRectify(), which comes after.
-void addRowBlocks(LayoutBuilder& builder);
+/// Adds the uniform blocks of addRectify(), which comes after.
+void addRowBlocks(const LayoutContext& context, LayoutBuilder& builder);
 
 /// Fills both blocks but for the technique's own fields, and skips the passes of the rectification that this frame does not use, and all of
 /// spot and point lights that reach no view ray. `parted`: the prefix starts anew in every region and split.

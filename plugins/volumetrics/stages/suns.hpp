@@ -16,21 +16,21 @@ inline std::uint32_t clearResult(const LayoutContext& context, LayoutBuilder& bu
 }
 
 /// Adds the clearing pass where it is needed. `frameBlock` is a uniform block that starts with a RayBlock. Returns true if the
-/// suns' passes must add (specialization constant kFirstLight = false).
-inline bool beginSuns(const LayoutContext& context, LayoutBuilder& builder, std::uint32_t frameBlock) {
-  if (context.directionalLights == 1) return false;
+/// suns' passes must add (specialization constant kFirstLight = false). `twice`: a sun may have two maps, which share its light.
+inline bool beginSuns(const LayoutContext& context, LayoutBuilder& builder, std::uint32_t frameBlock, bool twice = false) {
+  if (context.directionalLights == 1 && !twice) return false;
   clearResult(context, builder, frameBlock);
   return true;
 }
 
 /// The same for techniques that scatter lights of every kind. If the only light is a local one, the clearing pass stands by for frames
 /// in which prepareLocalLights() leaves that light out; passes of local lights bind the result for reading and writing.
-inline bool beginLights(const LayoutContext& context, LayoutBuilder& builder, std::uint32_t frameBlock) {
+inline bool beginLights(const LayoutContext& context, LayoutBuilder& builder, std::uint32_t frameBlock, bool twice = false) {
   const std::uint32_t lights = context.structure.light_count;
-  if (lights == 1 && context.directionalLights == 1) return false;
+  if (lights == 1 && context.directionalLights == 1 && !twice) return false;
   const std::uint32_t clear = clearResult(context, builder, frameBlock);
-  if (lights == 1) builder.roles().standInClear = clear;
-  return lights != 1;
+  if (lights == 1 && !twice) builder.roles().standInClear = clear;
+  return lights != 1 || twice;
 }
 
 }  // namespace volumetrics

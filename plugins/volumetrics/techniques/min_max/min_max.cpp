@@ -13,13 +13,9 @@ namespace {
 constexpr std::array kReads = {TY_RECTIFY_READS};
 constexpr std::uint32_t kChunk = 64;  // tree.glsl
 
-void layout(const LayoutContext& context, LayoutBuilder& builder) {
-  addRowBlocks(builder);
-  const bool add = beginSuns(context, builder, kFrameBlock);
-  if (context.directionalLights == 0) return;
+void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& suns, bool add) {
   // 16 bit hold resampled depths exactly as the map does; rasterised ones are 32-bit, and bounds must not be rounded.
   const bool epipolar = static_cast<Rectification>(context.settings.rectification) == Rectification::kEpipolar;
-  const LightClass suns;  // cookies of suns are left out
   beginClass(context, builder, suns);
   const RectifyStage stage = addRectify(context, builder, suns, epipolar ? DepthBits::k16 : DepthBits::k32, false);
   const TyFormat format = epipolar ? TY_FORMAT_RG16_UNORM : TY_FORMAT_RG32_FLOAT;
@@ -50,6 +46,17 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
   builder.debugView("tree_max", "Maximum depth of the min-max trees, levels 1 to 6 from top to bottom", TY_SOURCE_IMAGE, low, 0, 1,
                     0.0f, 1.0f);
   addRowViews(context, builder, stage);
+}
+
+void layout(const LayoutContext& context, LayoutBuilder& builder) {
+  addRowBlocks(context, builder);
+  const bool add = beginSuns(context, builder, kFrameBlock, mayFade(context));
+  if (context.directionalLights == 0) return;
+  LightClass suns;  // cookies of suns are left out
+  suns.fading = mayFade(context);
+  if (suns.fading) addClass(context, builder, suns, add);
+  suns.fading = false;
+  addClass(context, builder, suns, add);
   addDifferenceView(context, builder, kFrameBlock, kLightBlock, TY_NONE, kCookieBlock);
 }
 
