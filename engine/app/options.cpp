@@ -2,6 +2,8 @@
 // and later, so that every refusal is one line that names the option.
 #include "options.hpp"
 
+#include <tuple>
+
 #include <CLI/CLI.hpp>
 
 #include "app/values.hpp"
@@ -23,8 +25,8 @@ struct Given {
   std::vector<std::string> levels, compare;
   std::string sweep = "quick", repetitions, report;
   bool fresh = false;
-  std::vector<std::string> cameras;
-  std::string budget, maxError;
+  std::vector<std::string> cameras, holdOut;
+  std::string budget, maxError, margin = "0.1", turned = "0", candidates;
 };
 
 void addLevel(CLI::App& command, Given& given) {
@@ -85,8 +87,12 @@ void addBench(CLI::App& command, Given& given) {
 void addTune(CLI::App& command, Given& given) {
   addLevel(command, given);
   command.add_option("--max-error", given.maxError, "finds the cheapest settings whose nRMSE against the ray-traced truth is at most this")->type_name("X");
-  command.add_option("--budget-ms", given.budget, "finds the least error within so many milliseconds of GPU time")->type_name("X");
+  command.add_option("--budget-ms", given.budget, "finds the least error within so many milliseconds of GPU time in the worst view")->type_name("X");
   command.add_option("--camera", given.cameras, "a view that counts; repeatable [all of the file's cameras]")->type_name("N")->expected(1)->take_all()->allow_extra_args(false);
+  command.add_option("--hold-out", given.holdOut, "a view that is not searched on, but measured at the end; repeatable")->type_name("N")->expected(1)->take_all()->allow_extra_args(false);
+  command.add_option("--turned", given.turned, "so many further views at each camera that is tuned on, turned by 20 degrees to both sides in turn, by 40, ... [0]")->type_name("N");
+  command.add_option("--candidates", given.candidates, "what to try: a file with the knobs, settings, error_size and truth_samples of a sweep [tune/*.json beside the program]")->type_name("FILE.json");
+  command.add_option("--margin", given.margin, "part of the bound that the search keeps clear of, for the sake of views that it does not see [0.1]")->type_name("X");
   command.add_option("--size", given.size, "size of the pictures that are timed [1280x720]")->type_name("WxH");
   command.add_option("--out", given.out, "the preset; else it goes to standard output")->type_name("PRESET.json");
   command.add_option("--device", given.device, "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")->type_name("TEXT");
@@ -189,11 +195,19 @@ Result<Options> readTune(const Given& given) {
   TuneOptions options;
   if (given.level.empty()) return badCall("LEVEL is missing; a sample's name (see: tyndall levels) or a path to a .gltf or .glb file is needed");
   options.level = given.level;
-  for (const std::string& text : given.cameras) {
-    auto camera = readCount("--camera", text, 0, 1'000'000);
-    if (!camera) return camera.error();
-    options.cameras.push_back(*camera);
-  }
+  for (const auto& [option, texts, list] : {std::tuple{"--camera", &given.cameras, &options.cameras}, {"--hold-out", &given.holdOut, &options.holdOut}})
+    for (const std::string& text : *texts) {
+      auto camera = readCount(option, text, 0, 1'000'000);
+      if (!camera) return camera.error();
+      list->push_back(*camera);
+    }
+  auto margin = readBetween("--margin", given.margin, 0, 0.9);
+  if (!margin) return margin.error();
+  options.margin = *margin;
+  auto turns = readCount("--turned", given.turned, 0, 16);
+  if (!turns) return turns.error();
+  options.turned = *turns;
+  options.candidates = given.candidates;
   auto size = readSize("--size", given.size);
   if (!size) return size.error();
   options.size = *size;

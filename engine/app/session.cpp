@@ -57,6 +57,7 @@ Result<render::FrameOutput> Session::buildFrame(render::Graph& graph, const Fram
   input.reset = request.reset || cut_ || size != lastSize_;
   input.settings.exposure = static_cast<float>(table().value("view.exposure"));
   input.settings.shadowResolution = static_cast<std::uint32_t>(table().value("shadows.resolution"));
+  input.settings.reuseShadows = table().value("shadows.reuse") != 0;
   input.settings.shadowMode = params::toText(*table().find("shadows.mode"), table().value("shadows.mode")) == "moments"
                                   ? render::ShadowMode::kMoments
                                   : render::ShadowMode::kPcf;

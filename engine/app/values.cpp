@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace tyndall::app {
@@ -52,6 +53,17 @@ Result<double> readPositive(const std::string& option, const std::string& text) 
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value) || value <= 0)
     return badCall(option + " '" + text + "': must be a number above 0");
+  return value;
+}
+
+Result<double> readBetween(const std::string& option, const std::string& text, double low, double high) {
+  double value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc{} || end != text.data() + text.size() || !(value >= low && value <= high)) {
+    char range[64];
+    std::snprintf(range, sizeof range, "%g to %g", low, high);
+    return badCall(option + " '" + text + "': must be a number from " + range);
+  }
   return value;
 }
 

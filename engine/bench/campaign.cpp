@@ -1,10 +1,9 @@
 #include "bench/campaign.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
-
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "bench/error_split.hpp"
 #include "bench/truths.hpp"
@@ -13,25 +12,15 @@
 namespace tyndall::bench {
 namespace {
 
-scene::CameraView turned(const scene::CameraView& start, double degrees) {
-  scene::CameraView camera = start;
-  const glm::mat4 turn = glm::rotate(glm::mat4(1), static_cast<float>(glm::radians(degrees)), glm::vec3(0, 1, 0));
-  glm::mat4 axes = start.worldFromView;
-  const glm::vec4 place = axes[3];
-  axes[3] = glm::vec4(0, 0, 0, 1);
-  camera.worldFromView = turn * axes;
-  camera.worldFromView[3] = place;
-  return camera;
-}
-
-bool isShadow(const render::PassTime& pass) { return pass.owner == "engine" && pass.name.starts_with("shadow"); }
-
 /// What one measurement found; points that share it copy it.
 struct Measured {
+  std::string technique;
   Assignments settings;
   Size size{0, 0};
+  double seconds = 0;  ///< that its timed frames took so far, by the clock
   bool motion = false;
-  std::vector<double> gpu, effect, shadows;
+  std::vector<double> gpu, effect;
+  double shadows = 0;  ///< taken by itself, since maps are kept from frame to frame
   std::vector<std::pair<std::string, std::string>> passOrder;  // name, owner
   std::map<std::string, std::vector<double>> passes;
   std::uint64_t memory = 0;
@@ -40,22 +29,22 @@ struct Measured {
   std::string failure;
 
   void add(const std::vector<render::PassTime>& times, const std::string& effectId) {
-    double all = 0, own = 0, shadow = 0;
+    double all = shadows, own = 0;
     std::map<std::string, double> byName;
     for (const render::PassTime& pass : times) {
+      if (isShadowPass(pass)) continue;
       all += pass.milliseconds;
       if (pass.owner == effectId) own += pass.milliseconds;
-      if (isShadow(pass)) shadow += pass.milliseconds;
       if (!byName.contains(pass.name) && !passes.contains(pass.name)) passOrder.emplace_back(pass.name, pass.owner);
       byName[pass.name] += pass.milliseconds;
     }
-    gpu.push_back(all), effect.push_back(own), shadows.push_back(shadow);
+    gpu.push_back(all), effect.push_back(own);
     for (const auto& [name, ms] : byName) passes[name].push_back(ms);
   }
   void into(PointFigures& f) const {
     f.failure = failure;
     if (!failure.empty()) return;
-    f.gpu = spreadOf(gpu), f.volumetrics = spreadOf(effect), f.shadows = spreadOf(shadows);
+    f.gpu = spreadOf(gpu), f.volumetrics = spreadOf(effect), f.shadows = spreadOf({shadows});
     for (const auto& [name, owner] : passOrder) f.passes.push_back({name, owner, spreadOf(passes.at(name)).median});
     f.memoryBytes = memory, f.truth = truth, f.march = march, f.motionError = motionError, f.flicker = flicker;
   }
@@ -78,11 +67,11 @@ class View {
     }
     bool go = true;
     const auto progress = [&](double share) { return go = watcher_.tell("truth " + std::to_string(static_cast<int>(100 * share)) + " %", 0, 1); };
-    auto truth = truthOf(level_, cameraIndex_, sweep_.errorSize, 0, medium, sweep_.truthSamples, progress);
+    auto truth = truthOf(level_, cameraIndex_, 0, sweep_.errorSize, 0, medium, sweep_.truthSamples, progress);
     if (!go) return false;
     if (!truth) return truth.error();
     truth_ = truth.take();
-    auto half = truthOf(level_, cameraIndex_, sweep_.errorSize, 0, medium, std::max(1u, sweep_.truthSamples / 2), progress);
+    auto half = truthOf(level_, cameraIndex_, 0, sweep_.errorSize, 0, medium, std::max(1u, sweep_.truthSamples / 2), progress);
     if (!go) return false;
     if (!half) return half.error();
     if (auto self = splitErrors(truth_.scatter, half->scatter, {}, {})) truthSelf = self->all->nrmse;
@@ -188,7 +177,7 @@ Result<bool> measureView(Stand& stand, const Sweep& sweep, const app::Level& lev
     if (results.find(point.figures.key) || measured.contains(point.measurement)) continue;
     order.push_back(point.measurement);
     Measured& m = measured[point.measurement];
-    m.settings = point.all, m.size = point.figures.size, m.motion = point.motion;
+    m.technique = point.figures.technique, m.settings = point.all, m.size = point.figures.size, m.motion = point.motion;
   }
   if (order.empty()) return true;
 
@@ -199,11 +188,37 @@ Result<bool> measureView(Stand& stand, const Sweep& sweep, const app::Level& lev
   std::size_t done = 0;
   const auto go = [&] { return watcher.tell("points", done++, steps); };
   const std::string& effect = stand.catalogue().effectPlugin().id();
+  std::map<std::string, Assignments> choices;  // of each technique, what is left to measurement
+  std::map<std::string, double> shadowTimes;  // by the settings of shadow maps
+  const auto takeShadows = [&](Measured& m) -> Result<void> {
+    std::string of = std::to_string(m.size.first) + "x" + std::to_string(m.size.second);
+    for (const auto& [id, value] : m.settings)
+      if (id.starts_with("shadows.")) of += " " + id + "=" + value;
+    const auto known = shadowTimes.find(of);
+    if (known != shadowTimes.end()) {
+      m.shadows = known->second;
+      return {};
+    }
+    auto taken = stand.shadowTime(m.settings, *chosen, m.size, 0);
+    if (!taken) return taken.error();
+    m.shadows = shadowTimes[of] = *taken;
+    return {};
+  };
   for (const std::string& name : order) {
     if (!go()) return false;
     Measured& m = measured.at(name);
-    auto ok = stand.warmUp(m.settings, *chosen, m.size, 0);
+    // What is chosen by measurement depends on the maps, not on the picture: a small one will do. Where every technique is tried with defaults first,
+    // what was chosen there holds for its other points.
+    Result<void> ok{};
+    if (const auto known = choices.find(m.technique); sweep.everyTechnique && known != choices.end()) {
+      m.settings.insert(known->second.begin(), known->second.end());
+    } else {
+      ok = stand.warmUp(m.settings, *chosen, sweep.errorSize, 0);
+      const auto resolved = stand.session().effect().resolved();
+      choices[m.technique] = {resolved.begin(), resolved.end()};
+    }
     if (ok) ok = view.errorsOf(m);
+    if (ok) ok = takeShadows(m);
     if (ok && m.motion) ok = view.motionOf(m);
     if (!ok) m.failure = ok.error().message;
   }
@@ -211,11 +226,13 @@ Result<bool> measureView(Stand& stand, const Sweep& sweep, const app::Level& lev
     for (const std::string& name : order) {
       if (!go()) return false;
       Measured& m = measured.at(name);
-      if (!m.failure.empty()) continue;
+      if (!m.failure.empty() || (round > 0 && m.seconds > sweep.secondsPerPoint)) continue;
+      const auto start = std::chrono::steady_clock::now();
       if (auto ok = stand.render(m.settings, *chosen, m.size, 0, 2, false); !ok) {
         m.failure = ok.error().message;
         continue;
       }
+      m.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       m.add(stand.passes(), effect);
       m.memory = stand.session().effect().memoryBytes();
     }

@@ -11,6 +11,8 @@ constexpr int kFramesPerVariant = 4, kMostWarmUp = 64;
 
 }  // namespace
 
+bool isShadowPass(const render::PassTime& pass) { return pass.owner == "engine" && pass.name.starts_with("shadow"); }
+
 Result<std::unique_ptr<Stand>> Stand::open(std::unique_ptr<app::Catalogue> catalogue, const std::string& device) {
   gpu::DeviceOptions options;
   options.name = device;
@@ -35,15 +37,28 @@ Result<void> Stand::frame(const app::FrameRequest& request, bool scatter) {
   return {};
 }
 
-Result<void> Stand::render(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int frames, bool scatter) {
+Result<void> Stand::frames(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int count, bool scatter, bool keepShadows) {
   if (auto applied = applySettings(session_->table(), settings); !applied) return applied;
+  if (auto kept = session_->table().setText("shadows.reuse", keepShadows ? "true" : "false"); !kept) return kept;
   app::FrameRequest request;
   request.width = size.first, request.height = size.second, request.camera = camera, request.seconds = seconds;
-  for (int i = 0; i < frames; ++i)
+  for (int i = 0; i < count; ++i)
     if (auto done = frame(request, scatter); !done) return done;
   passes_ = session_->lastPassTimes();
   std::erase_if(passes_, [](const render::PassTime& pass) { return pass.owner == app::Readback::kOwner; });
   return {};
+}
+
+Result<void> Stand::render(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int frameCount, bool scatter) {
+  return frames(settings, camera, size, seconds, frameCount, scatter, true);
+}
+
+Result<double> Stand::shadowTime(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds) {
+  if (auto done = frames(settings, camera, size, seconds, 2, false, false); !done) return done.error();
+  double milliseconds = 0;
+  for (const render::PassTime& pass : passes_)
+    if (isShadowPass(pass)) milliseconds += pass.milliseconds;
+  return milliseconds;
 }
 
 Result<void> Stand::warmUp(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds) {

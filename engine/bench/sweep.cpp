@@ -160,6 +160,7 @@ void readInto(Sweep& sweep, const Json& json) {
               {"size", [&](const Json& j, const std::string& w) { sweep.size = sizeOf(j, w); }},
               {"error_size", [&](const Json& j, const std::string& w) { sweep.errorSize = sizeOf(j, w); }},
               {"repetitions", [&](const Json& j, const std::string& w) { sweep.repetitions = countOf(j, w, 1, 1000); }},
+              {"seconds_per_point", [&](const Json& j, const std::string& w) { sweep.secondsPerPoint = numberOf(j, w); }},
               {"truth_samples", [&](const Json& j, const std::string& w) { sweep.truthSamples = countOf(j, w, 2, 1'000'000); }},
               {"settings", [&](const Json& j, const std::string& w) { sweep.settings = assignmentsOf(j, w); }},
               {"march", [&](const Json& j, const std::string& w) { sweep.march = assignmentsOf(j, w); }},

@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "base/file.hpp"
 
 namespace tyndall::bench {
@@ -18,6 +20,17 @@ constexpr const char* kGeneration = "1";
 
 }  // namespace
 
+scene::CameraView turned(const scene::CameraView& start, double degrees) {
+  scene::CameraView camera = start;
+  const glm::mat4 turn = glm::rotate(glm::mat4(1), static_cast<float>(glm::radians(degrees)), glm::vec3(0, 1, 0));
+  glm::mat4 axes = start.worldFromView;
+  const glm::vec4 place = axes[3];
+  axes[3] = glm::vec4(0, 0, 0, 1);
+  camera.worldFromView = turn * axes;
+  camera.worldFromView[3] = place;
+  return camera;
+}
+
 std::uint64_t levelHash(const std::string& level, const std::string& text) {
   const std::uint64_t hash = hashOf(std::as_bytes(std::span(text.data(), text.size())));
   auto path = app::findLevel(level);
@@ -26,15 +39,17 @@ std::uint64_t levelHash(const std::string& level, const std::string& text) {
   return bytes ? hashOf(*bytes, hash) : hash;
 }
 
-Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Size size, double seconds, const truth::Medium& medium, std::uint32_t samples,
+Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, double degrees, Size size, double seconds, const truth::Medium& medium, std::uint32_t samples,
                       const std::function<bool(double)>& progress) {
   auto view = app::chooseCamera(level, camera, seconds);
   if (!view) return view.error();
+  *view = turned(*view, degrees);
   auto bytes = readFile(level.path);
   if (!bytes) return bytes.error();
   char key[256];
   std::snprintf(key, sizeof key, "%s %u %ux%u %.17g %.17g %.17g %.17g %u", kGeneration, camera, size.first, size.second, seconds, medium.sigma_t, medium.albedo,
                 medium.g, samples);
+  if (degrees != 0) std::snprintf(key + std::char_traits<char>::length(key), 32, " turned %.9g", degrees);
   const std::uint64_t hash = hashOf(std::as_bytes(std::span(key, std::char_traits<char>::length(key))), hashOf(*bytes));
   char name[32];
   std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hash));

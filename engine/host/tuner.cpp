@@ -42,7 +42,11 @@ void Tuner::add(const std::string& key, std::size_t variant, double milliseconds
     }
   }
   entry.times[variant].push_back(milliseconds);
-  if (entry.times[variant].size() < kFrames) return;
+  // Two frames after the warm-up tell of a variant that is out of the question; a single one may have stuttered.
+  const std::vector<double>& own = entry.times[variant];
+  const auto beats = [&](const std::vector<double>& times) { return medianWithoutWarmUp(times) * kClearly < *std::min_element(own.begin() + 1, own.end()); };
+  const bool beaten = own.size() > 2 && std::any_of(entry.times.begin(), entry.times.begin() + static_cast<std::ptrdiff_t>(variant), beats);
+  if (entry.times[variant].size() < kFrames && !beaten) return;
   if (++entry.choice.variant < entry.variants.size()) return;
   std::size_t best = 0;
   for (std::size_t i = 1; i < entry.times.size(); ++i)

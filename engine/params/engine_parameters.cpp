@@ -35,6 +35,13 @@ std::vector<Parameter> engineParameters() {
   precision.type = Type::kEnum;
   precision.choices = {"64", "128"};
 
+  Parameter reuse;
+  reuse.id = "shadows.reuse";
+  reuse.name = "Keep shadow maps";
+  reuse.doc =
+      "Draws a shadow map again only when its light, a caster or its size has changed; maps then have memory of their own. A sun's map follows the camera.";
+  reuse.type = Type::kBool;
+
   Parameter exposure;
   exposure.id = "view.exposure";
   exposure.name = "Exposure";
@@ -45,7 +52,7 @@ std::vector<Parameter> engineParameters() {
   exposure.max = exposure.builtMax = 1e4;
   exposure.logarithmic = true;
 
-  std::vector<Parameter> all = {mode, resolution, precision, exposure};
+  std::vector<Parameter> all = {mode, resolution, precision, reuse, exposure};
   for (Parameter& p : all) p.owner = "engine";
   return all;
 }

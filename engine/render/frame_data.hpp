@@ -17,6 +17,8 @@
 
 namespace tyndall::render {
 
+struct KeptShadowMap;
+
 /// A part of the frame's block buffer.
 struct BlockRange {
   VkBuffer buffer = VK_NULL_HANDLE;
@@ -43,6 +45,7 @@ struct FrameData {
   DrawList draws;
   LightPlan plan;
   std::vector<ImageRef> shadowMaps;  ///< by plan.shadowed
+  std::vector<std::shared_ptr<KeptShadowMap>> keptShadowMaps;  ///< those of them that outlive the frame
   std::vector<ImageRef> momentMaps;  ///< the same; empty refs where momentFormat is undefined
   VkFormat momentFormat = VK_FORMAT_UNDEFINED;
   ShadowMaps surfaceMaps = ShadowMaps::kDepths;  ///< what surfaces read

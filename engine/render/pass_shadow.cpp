@@ -29,7 +29,9 @@ ShadowedLight describe(const FrameData& frame, const scene::LightView& light, co
 }  // namespace
 
 Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame,
-                             const std::vector<scene::LightView>& lights, std::uint32_t size) {
+                             const std::vector<scene::LightView>& lights, std::uint32_t size, ShadowCache* cache) {
+  constexpr VkImageLayout kRead = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+  if (cache) cache->keepOnly(frame->plan.shadowed);
   const Result<CasterPipelines> pipelines = casterPipelines(tools.pipelines);
   if (!pipelines) return pipelines.error();
   std::vector<std::pair<std::uint32_t, ShadowedLight>> inFileOrder;
@@ -39,21 +41,35 @@ Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::sh
     desc.format = kDepthFormat;
     desc.width = desc.height = size;
     desc.layers = light.fit.faceCount;
-    const ImageRef map = graph.image(desc);
+    std::shared_ptr<KeptShadowMap> kept;
+    const std::uint64_t content = cache ? shadowContent(*frame, light.fit) : 0;
+    ImageRef map;
+    if (cache) {
+      const Result<std::shared_ptr<KeptShadowMap>> found = cache->map(light.source, desc);
+      if (!found) return found.error();
+      kept = *found;
+      frame->keptShadowMaps.push_back(kept);
+      map = graph.import(kept->image, kept->drawn ? kRead : VK_IMAGE_LAYOUT_UNDEFINED, kRead);
+    } else {
+      map = graph.image(desc);
+    }
     frame->shadowMaps.push_back(map);
 
-    graph.pass("shadow " + std::to_string(light.source))
-        .use(map, Use::kDepthWrite)
-        .run([frame = FramePointer(frame), pipelines = *pipelines, map, fit = light.fit](PassContext& context) {
-          for (std::uint32_t face = 0; face < fit.faceCount; ++face) {
-            PassContext::DepthAttachment depth{map, true, 1.0f};
-            depth.view.baseLayer = face;
-            depth.view.layerCount = 1;
-            context.beginRendering({}, &depth);
-            if (fit.useful) recordCasters(context, *frame, pipelines, fit.clipFromWorld[face]);
-            context.endRendering();
-          }
-        });
+    if (!kept || !kept->drawn || kept->content != content) {
+      graph.pass("shadow " + std::to_string(light.source))
+          .use(map, Use::kDepthWrite)
+          .run([frame = FramePointer(frame), pipelines = *pipelines, map, fit = light.fit, kept, content](PassContext& context) {
+            for (std::uint32_t face = 0; face < fit.faceCount; ++face) {
+              PassContext::DepthAttachment depth{map, true, 1.0f};
+              depth.view.baseLayer = face;
+              depth.view.layerCount = 1;
+              context.beginRendering({}, &depth);
+              if (fit.useful) recordCasters(context, *frame, pipelines, fit.clipFromWorld[face]);
+              context.endRendering();
+            }
+            if (kept) kept->drawn = true, kept->content = content;
+          });
+    }
 
     ImageRef moments;
     if (frame->momentFormat != VK_FORMAT_UNDEFINED) {

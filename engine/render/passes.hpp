@@ -8,6 +8,7 @@
 #include "pipeline_library.hpp"
 #include "render/frame.hpp"
 #include "render/graph.hpp"
+#include "shadow_cache.hpp"
 
 namespace tyndall::render {
 
@@ -19,9 +20,9 @@ struct PassTools {
 };
 
 /// One pass per light with a map (all faces), clearing it and drawing the casters, and those of its moment map. Fills
-/// frame.shadowMaps and frame.momentMaps.
+/// frame.shadowMaps and frame.momentMaps. With a `cache`, maps live there, and those that show what they should already are not drawn.
 Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame,
-                             const std::vector<scene::LightView>& lights, std::uint32_t size);
+                             const std::vector<scene::LightView>& lights, std::uint32_t size, ShadowCache* cache);
 
 /// Passes that make a light's four-moment shadow map: its Gaussian along rows and columns, then its mips. The graph drops
 /// them where nobody reads the result. frame.momentFormat must be set.

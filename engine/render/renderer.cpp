@@ -11,7 +11,7 @@ namespace tyndall::render {
 
 struct Renderer::State {
   State(gpu::Device& d, const std::filesystem::path& shaders)
-      : device(d), pipelines(d, shaders), blocks(d), samplers(makeSamplers(d)) {}
+      : device(d), pipelines(d, shaders), blocks(d), shadows(d), samplers(makeSamplers(d)) {}
 
   PassTools tools() {
     gpu::ViewDesc array;
@@ -23,6 +23,7 @@ struct Renderer::State {
   gpu::Device& device;
   PipelineLibrary pipelines;
   BlockRing blocks;
+  ShadowCache shadows;
   FrameSamplers samplers;
   gpu::Image unusedMap;
   std::shared_ptr<const SceneResources> resources;
@@ -47,6 +48,7 @@ Result<void> Renderer::setScene(const scene::Scene& scene) {
   Result<std::shared_ptr<const SceneResources>> uploaded = uploadScene(state_->device, scene);
   if (!uploaded) return uploaded.error();
   state_->resources = uploaded.take();
+  state_->shadows.clear();
   return {};
 }
 
@@ -153,7 +155,9 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
     frame->noCookie = graph.import(state_->unusedMap, kRead, kRead);
     if (frame->cookies) frame->cookieArray = graph.import(frame->resources->cookies.image, kRead, kRead);
   }
-  if (Result<void> r = addShadowPasses(graph, tools, frame, input.lights, shadowSize); !r) return r.error();
+  if (!input.settings.reuseShadows) state_->shadows.clear();
+  if (Result<void> r = addShadowPasses(graph, tools, frame, input.lights, shadowSize, input.settings.reuseShadows ? &state_->shadows : nullptr); !r)
+    return r.error();
   if (Result<void> r = addGBufferPass(graph, tools, frame, !debugView.empty() || !input.settings.offered.empty()); !r) return r.error();
   if (Result<void> r = addLightingPasses(graph, tools, frame, input.lights); !r) return r.error();
   if (Result<void> r = addTransparentPass(graph, tools, frame); !r) return r.error();

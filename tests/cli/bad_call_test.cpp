@@ -64,6 +64,10 @@ TEST_F(BadCall, NotBuiltYetIsSaidByName) {
   expectRefused({"tune", "hall", "--max-error", "0.1", "--budget-ms", "3"}, 2, {"one of"});
   expectRefused({"tune", "hall", "--max-error", "0.1", "--camera", "99"}, 2, {"99"});
   expectRefused({"tune", "--max-error", "0.1"}, 2, {"LEVEL"});
+  expectRefused({"tune", "hall", "--max-error", "0.1", "--hold-out", "99"}, 2, {"99"});
+  expectRefused({"tune", "hall", "--max-error", "0.1", "--camera", "1", "--hold-out", "1"}, 2, {"--hold-out", "1", "--camera"});
+  expectRefused({"tune", "hall", "--max-error", "0.1", "--margin", "2"}, 2, {"--margin", "0 to 0.9"});
+  expectRefused({"tune", "hall", "--max-error", "0.1", "--candidates", "none.json"}, 1, {"none.json"});
   expectRefused({"tune", "hall", "--max-error", "0.1", "--out", "p.txt"}, 2, {"--out", ".json"});
   expectRefused({"render", "hall", "--preset", "fsat"}, 2, {"--preset", "fsat", "'fast'"});
 }

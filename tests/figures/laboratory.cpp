@@ -81,6 +81,7 @@ Shot Laboratory::frame() {
 
 Shot Laboratory::shoot(const Settings& settings) {
   session_->table().resetToDefaults();
+  must(session_->table().setText("shadows.reuse", "true"));
   for (const std::string& setting : settings) must(session_->table().setAssignment(setting));
   frame();
   return frame();

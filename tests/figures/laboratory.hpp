@@ -30,7 +30,7 @@ class Laboratory {
  public:
   Laboratory(const std::string& level, std::uint32_t camera, std::uint32_t width, std::uint32_t height);
 
-  /// Defaults, then `settings`; two frames, the second is kept (the first compiles).
+  /// Defaults but for shadows.reuse=true, then `settings`; two frames, the second is kept (the first compiles).
   Shot shoot(const Settings& settings);
   /// A debug view by name with defaults and `settings`.
   image::ByteImage look(const Settings& settings, const std::string& view);
@@ -38,6 +38,8 @@ class Laboratory {
   std::vector<Shot> again(int frames);
   /// Ray-traced, `samples` shadow rays a view ray; kept in the cache folder of the build, since it costs minutes.
   image::FloatImage truth(std::uint32_t samples);
+  /// Time of the level's animations, s.
+  void at(double seconds) { request_.seconds = seconds; }
   /// Turns the camera about the world's vertical by `degrees` from where it was.
   void turn(double degrees);
   /// Pixel coordinates (from the upper left corner, y down) of the lamps' places, or of where the suns stand, that lie before the camera

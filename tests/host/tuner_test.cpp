@@ -31,6 +31,13 @@ TEST(Tuner, picksTheSmallestMedianAndIgnoresTheWarmUp) {
   EXPECT_EQ(tuner.current("k", kVariants).variant, 1u);
 }
 
+TEST(Tuner, doesNotDwellOnWhatIsClearlySlower) {
+  Tuner tuner{TunerStore({})};
+  const double times[3][4] = {{5, 5, 5, 5}, {900, 9, 9, 0}, {1, 7, 7, 4}};
+  EXPECT_EQ(settle(tuner, "k", [&](std::size_t v, int f) { return times[v][f]; }), 4 + 3 + 4);
+  EXPECT_EQ(tuner.current("k", kVariants).variant, 0u);
+}
+
 TEST(Tuner, timesOfAnotherVariantAreIgnored) {
   Tuner tuner{TunerStore({})};
   tuner.current("k", kVariants);

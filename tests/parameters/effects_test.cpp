@@ -146,5 +146,35 @@ TEST(Effects, FilteredResamplingLowersTheErrorOfSmallMaps) {
   }
 }
 
+// A kept shadow map shows what a new one would: nothing is drawn while nothing changes, and all that has changed is.
+TEST(Effects, KeptShadowMapsAreDrawnAgainWhenSomethingHasChanged) {
+  Laboratory lab("cage", 0, 160, 90);
+  const Settings base = {"shadows.resolution=512", "volumetrics.technique=ray_march", "volumetrics.steps=32"};
+  const auto drawn = [](const Shot& shot) {
+    return std::count_if(shot.passes.begin(), shot.passes.end(), [](const auto& pass) { return pass.owner == "engine" && pass.name.starts_with("shadow "); });
+  };
+  image::FloatImage last;
+  for (const double seconds : {0.0, 1.0}) {
+    lab.at(seconds);
+    const Shot anew = lab.shoot(base + Settings{"shadows.reuse=false"});
+    EXPECT_EQ(drawn(anew), 2) << "two lamps";
+    const Shot kept = lab.shoot(base + Settings{"shadows.reuse=true"});
+    EXPECT_EQ(drawn(kept), 0) << "the second frame of the same";
+    EXPECT_EQ(kept.scatter.values, anew.scatter.values);
+    EXPECT_NE(kept.scatter.values, last.values) << "a lamp swings";
+    last = kept.scatter;
+  }
+  // The lamp that hangs still, and what it lights, stay; the one that swings is drawn at each place anew.
+  lab.at(2.0);
+  const std::vector<Shot> moved = lab.again(2);
+  EXPECT_GE(drawn(moved[0]), 1);
+  EXPECT_EQ(drawn(moved[1]), 0);
+  EXPECT_EQ(moved[1].scatter.values, lab.shoot(base + Settings{"shadows.reuse=false"}).scatter.values);
+  // Another size is another map.
+  lab.shoot(base);
+  EXPECT_EQ(lab.shoot({"shadows.resolution=256", "volumetrics.technique=ray_march", "volumetrics.steps=32", "shadows.reuse=true"}).scatter.values,
+            lab.shoot({"shadows.resolution=256", "volumetrics.technique=ray_march", "volumetrics.steps=32", "shadows.reuse=false"}).scatter.values);
+}
+
 }  // namespace
 }  // namespace tyndall::figures

@@ -57,7 +57,6 @@ void main() {
   Slice s = ray.a.s;
 
   // Segment by segment, as the look-up does: interpolated between the reference rays, joined with the ray's own weights.
-  float x = referencePlace(s.nodeLow, s.nodeHigh, ray.theta);
   float ownLit = 0.0;
   float ownAll = 0.0;
   float joined = 0.0;
@@ -85,9 +84,11 @@ void main() {
         all_[k] += weight;
       }
     }
+    float share[kReferenceRays];
+    referenceShares(s.nodeLow, s.nodeHigh, ray.theta, columnDistance(s, last) - columnDistance(s, first), share);
     float interpolated = 0.0;
     for (int k = 0; k < kReferenceRays; ++k)
-      interpolated += (kReferenceRays == 1 ? 1.0 : chebyshevLagrange(k, kReferenceRays, x)) * (all_[k] > 0.0 ? lit[k] / all_[k] : 1.0);
+      interpolated += share[k] * (all_[k] > 0.0 ? lit[k] / all_[k] : 1.0);
     float weight = ownWeight(ray, s, first, last);
     joined += weight * clamp(interpolated, 0.0, 1.0);
     joinedAll += weight;

@@ -10,11 +10,9 @@ void litChannels(int slice, float column, out float value[kChannelSlots]) {
 }
 
 // A value of each reference ray and colour, interpolated between the reference rays.
-vec3 betweenReferenceRays(float value[kChannelSlots], float place) {
+vec3 betweenReferenceRays(float value[kChannelSlots], float share[kReferenceRays]) {
   vec3 sum = vec3(0.0);
-  for (int k = 0; k < kReferenceRays; ++k) {
-    float share = kReferenceRays == 1 ? 1.0 : chebyshevLagrange(k, kReferenceRays, place);
-    for (int c = 0; c < 3; ++c) sum[c] += share * value[k * kColours + (kColoured ? c : 0)];
-  }
+  for (int k = 0; k < kReferenceRays; ++k)
+    for (int c = 0; c < 3; ++c) sum[c] += share[k] * value[k * kColours + (kColoured ? c : 0)];
   return sum;
 }

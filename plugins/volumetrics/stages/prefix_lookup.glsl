@@ -97,11 +97,14 @@ vec3 segmentVisibility(RowRay ray, vec2 segmentA, vec2 segmentB, float columnA, 
     visibilities(place, ray, v);
   float low = mix(ray.b.s.nodeLow, ray.a.s.nodeLow, ray.a.weight);
   float high = mix(ray.b.s.nodeHigh, ray.a.s.nodeHigh, ray.a.weight);
-  float x = referencePlace(low, high, ray.theta);
+  float length_ = hasA ? columnDistance(ray.a.s, columnA) - columnDistance(ray.a.s, segmentA.x)
+                       : columnDistance(ray.b.s, columnB) - columnDistance(ray.b.s, segmentB.x);
+  float share[kReferenceRays];
+  referenceShares(low, high, ray.theta, length_, share);
   if (!kShaped) {
     if (kReferenceRays == 1) return vec3(clamp(v[0], 0.0, 1.0));
     float sum = 0.0;
-    for (int k = 0; k < kReferenceRays; ++k) sum += chebyshevLagrange(k, kReferenceRays, x) * v[k];
+    for (int k = 0; k < kReferenceRays; ++k) sum += share[k] * v[k];
     return vec3(clamp(sum, 0.0, 1.0));
   }
   float value[kChannelSlots];
@@ -112,7 +115,7 @@ vec3 segmentVisibility(RowRay ray, vec2 segmentA, vec2 segmentB, float columnA, 
     for (int i = 0; i < kChannels; ++i) value[i] = value[i] * place.weightA + other[i] * place.weightB;
   }
   for (int i = 0; i < kChannels; ++i) value[i] *= clamp(v[i / kColours], 0.0, 1.0);
-  return max(betweenReferenceRays(value, x), vec3(0.0));
+  return max(betweenReferenceRays(value, share), vec3(0.0));
 }
 
 // Width of a pixel, in slices, as far as it is averaged.

@@ -31,9 +31,13 @@ Result<void> runBench(const BenchOptions& options);
 
 struct TuneOptions {
   std::string level;
-  std::vector<std::uint32_t> cameras;  ///< empty: all of the level's
+  std::vector<std::uint32_t> cameras;  ///< empty: all of the level's but those held out
+  std::vector<std::uint32_t> holdOut;  ///< views that the search does not see; the evidence says what was found has there
+  std::uint32_t turned = 0;            ///< further views at each camera that is tuned on: turned by 20 degrees to both sides in turn, by 40, ...
+  double margin = 0.1;                 ///< part of the bound that the search keeps clear of, so that views it has not seen meet it too; 0...0.9
   std::pair<std::uint32_t, std::uint32_t> size{1280, 720};
   std::optional<double> budgetMs, maxError;  ///< one of the two
+  std::filesystem::path candidates;    ///< what to try, a file of the form of a sweep; empty: tune/*.json beside the program
   std::filesystem::path out;           ///< empty: the preset goes to stdout
   std::string device;
   std::filesystem::path pluginFolder;

@@ -19,5 +19,7 @@ Result<void> checkSize(const std::string& option, std::pair<std::uint32_t, std::
 Result<double> readSeconds(const std::string& option, const std::string& text);
 /// A finite number above 0.
 Result<double> readPositive(const std::string& option, const std::string& text);
+/// A number within [low, high].
+Result<double> readBetween(const std::string& option, const std::string& text, double low, double high);
 
 }  // namespace tyndall::app

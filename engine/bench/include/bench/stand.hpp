@@ -9,6 +9,9 @@
 
 namespace tyndall::bench {
 
+/// Whether a pass draws the engine's shadow maps.
+bool isShadowPass(const render::PassTime& pass);
+
 class Stand {
  public:
   static Result<std::unique_ptr<Stand>> open(std::unique_ptr<app::Catalogue> catalogue, const std::string& device);
@@ -19,8 +22,11 @@ class Stand {
 
   /// Bytes a second that the device copies, read and written.
   Result<double> copyRate();
-  /// Renders `frames` frames with the settings and keeps the times of the last one; its scattered light if asked for.
-  Result<void> render(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int frames, bool scatter);
+  /// Renders `frames` frames with the settings and keeps the times of the last one; its scattered light if asked for. Shadow maps are kept from
+  /// frame to frame (shadows.reuse): see shadowTime().
+  Result<void> render(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int frameCount, bool scatter);
+  /// What the engine's shadow maps take with the settings where nothing is kept, ms.
+  Result<double> shadowTime(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds);
   /// The same until nothing of the effect that is chosen by measurement changes any more.
   Result<void> warmUp(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds);
 
@@ -29,6 +35,7 @@ class Stand {
 
  private:
   Stand() = default;
+  Result<void> frames(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int count, bool scatter, bool keepShadows);
   Result<void> frame(const app::FrameRequest& request, bool scatter);
   std::unique_ptr<app::Session> session_;
   app::Readback readback_;  // after the session: its buffers go before the device

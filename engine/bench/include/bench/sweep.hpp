@@ -56,6 +56,7 @@ struct Sweep {
   Size size{1280, 720};
   Size errorSize{320, 180};              ///< at which pictures are compared
   std::uint32_t repetitions = 3;
+  double secondsPerPoint = 1e9;          ///< a point whose timed frames took longer is not repeated
   std::uint32_t truthSamples = 512;
   Assignments settings;                  ///< all points share these
   Assignments march;                     ///< the converged march, second reference

@@ -83,7 +83,7 @@ class Table {
   std::map<std::string, Remembered, std::less<>> remembered_;
 };
 
-/// The engine's own: shadows.mode, shadows.resolution, shadows.precision, view.exposure.
+/// The engine's own: shadows.mode, shadows.resolution, shadows.precision, shadows.reuse, view.exposure.
 std::vector<Parameter> engineParameters();
 
 }  // namespace tyndall::params

@@ -86,6 +86,7 @@ enum class ShadowMode { kPcf, kMoments };
 struct FrameSettings {
   float exposure = 1;                 ///< linear factor before the tone map
   std::uint32_t shadowResolution = 2048;
+  bool reuseShadows = false;          ///< maps outlive the frame and are drawn again only when their light or a caster has changed
   ShadowMode shadowMode = ShadowMode::kPcf;
   std::uint32_t shadowPrecision = 64; ///< bits per texel of moment shadow maps: 64 or 128
   std::string debugView;              ///< "" = the picture; engine views: see debugViews()

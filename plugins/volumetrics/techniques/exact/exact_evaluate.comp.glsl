@@ -84,14 +84,15 @@ vec3 rowVisibility(Row row, RowRay ray) {
   int columns = int(totalColumns());
   int whole = min(int(row.column), columns);
   float partial = row.column - float(whole);
-  float place = referencePlace(row.s.nodeLow, row.s.nodeHigh, ray.theta);
+  float share[kReferenceRays];
+  referenceShares(row.s.nodeLow, row.s.nodeHigh, ray.theta, columnDistance(row.s, float(whole)) - row.s.first, share);
   vec3 visible = vec3(1.0);
   vec3 strength = vec3(1.0);  // of whole columns, were they all lit
   if (whole > 0) {
     float value[kChannelSlots];
     if (kShaped) {
       litChannels(row.index, float(whole) - 0.5, value);
-      strength = betweenReferenceRays(value, place);
+      strength = betweenReferenceRays(value, share);
       visible = strength;
     }
     bool settled = false;
@@ -105,7 +106,7 @@ vec3 rowVisibility(Row row, RowRay ray) {
       float blocked[kChannels];
       blockedShares(row.index, whole, ray.depth, blocked);
       for (int i = 0; i < kChannels; ++i) value[i] = kShaped ? value[i] * (1.0 - blocked[i]) : 1.0 - blocked[i];
-      visible = max(betweenReferenceRays(value, place), vec3(0.0));
+      visible = max(betweenReferenceRays(value, share), vec3(0.0));
       if (!kShaped) visible = min(visible, vec3(1.0));
     }
   }
@@ -120,7 +121,7 @@ vec3 rowVisibility(Row row, RowRay ray) {
     float column = ownWeight(ray, row.s, float(whole), float(whole + 1));
     float value[kChannelSlots];
     litChannels(row.index, float(whole) + 0.5, value);
-    vec3 with = betweenReferenceRays(value, place);
+    vec3 with = betweenReferenceRays(value, share);
     last = column > 0.0 ? clamp((with * (before + column) - strength * before) / column, vec3(0.0), vec3(1.0)) : vec3(0.0);
   }
   return before + within > 0.0 ? (visible * before + last * (lit_ * within)) / (before + within) : visible;
