@@ -47,13 +47,13 @@ std::string CapturePanel::freeBase(const std::string& level) const {
   }
 }
 
-Result<void> CapturePanel::take(app::Session& session, app::Capture view, bool lightsEdited) {
+Result<void> CapturePanel::take(app::Session& session, app::Capture view, bool levelEdited) {
   base_ = freeBase(view.level);
   if (picture) view.picture = fileOf(base_, kPicture);
   if (scatter) view.scatter = fileOf(base_, kScatter);
   if (depth) view.depth = fileOf(base_, kDepth);
   if (stats) view.stats = fileOf(base_, kStats);
-  if (lightsEdited) {
+  if (levelEdited) {
     view.level = fileOf(base_, kLevel).string();
     if (auto written = scene::writeGlb(session.level()->scene, view.level); !written)
       return Error{"capture: " + written.error().message, written.error().kind};
@@ -63,7 +63,7 @@ Result<void> CapturePanel::take(app::Session& session, app::Capture view, bool l
   auto done = app::capture(session, view);
   session.buildInBackground(true);
   std::error_code gone;
-  if (!done && lightsEdited) std::filesystem::remove(view.level, gone);
+  if (!done && levelEdited) std::filesystem::remove(view.level, gone);
   if (!done) return Error{"capture: " + done.error().message, done.error().kind};
   command_ = app::shellLine(app::captureWords(session, view));
   ImGui::SetClipboardText(command_.c_str());

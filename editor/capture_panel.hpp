@@ -22,8 +22,8 @@ class CapturePanel {
   /// True: the button was pressed.
   bool draw(Workspace& workspace);
   /// Captures what `view` says; the files get the first free number in the folder, the clipboard gets the command.
-  /// Where lights were edited, the level is written beside them, as the command must find it so.
-  Result<void> take(app::Session& session, app::Capture view, bool lightsEdited);
+  /// Where the level was edited, it is written beside them, as the command must find it so.
+  Result<void> take(app::Session& session, app::Capture view, bool levelEdited);
   /// Path of `base` with an extension in the folder chosen.
   std::filesystem::path fileOf(const std::string& base, const char* extension) const;
   std::string freeBase(const std::string& level) const;

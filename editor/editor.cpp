@@ -167,7 +167,7 @@ Result<bool> Editor::step() {
   }
   if (auto shown = renderWindow(); !shown) return shown.error();
   ++frames_;
-  const StateFile::Snapshot now{*session_, workspace_, *camera_, history_, camera_->view(fileCamera()), frames_, pictures_};
+  const StateFile::Snapshot now{*session_, workspace_, *camera_, history_, camera_->view(fileCamera()), cameraIndex(), frames_, pictures_};
   if (auto written = state_.update(now); !written) return written.error();
   return true;
 }
@@ -221,7 +221,7 @@ void Editor::drawViewport(float y, float width, float height) {
   ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(Texture::kPicture), low, {low.x + width, low.y + height});
   viewLow_ = {low.x, low.y}, viewSize_ = {width, height};
   research_->drawOver(*ImGui::GetWindowDrawList(), workspace_, viewport());
-  lights_.drawOver(*ImGui::GetWindowDrawList(), *session_, {camera_->view(fileCamera()), viewLow_, viewSize_, viewHovered_}, workspace_);
+  level_.drawOver(*ImGui::GetWindowDrawList(), *session_, {camera_->view(fileCamera()), viewLow_, viewSize_, viewHovered_}, workspace_);
   ImGui::End();
   ImGui::PopStyleVar();
 }
@@ -243,7 +243,11 @@ void Editor::drawSide(float x, float y, float width, float height) {
     };
     if (tab("times")) times_.draw(*session_, settings_.budgetMs, workspace_), ImGui::EndTabItem();
     if (tab("memory, skipped")) times_.drawSkipped(*session_, workspace_), ImGui::EndTabItem();
-    if (tab("lights")) lights_.draw(*session_, workspace_), ImGui::EndTabItem();
+    if (tab("level")) {
+      const auto seen = camera_->flown() ? std::nullopt : std::optional(cameraIndex());
+      level_.draw(*session_, seen, workspace_);
+      ImGui::EndTabItem();
+    }
     ImGui::EndTabBar();
   }
   ImGui::End();
@@ -266,6 +270,10 @@ void Editor::steer() {
   flight.fast = io.KeyShift;
   if (looking_) flight.look = {io.MouseDelta.x, io.MouseDelta.y};
   if (viewHovered_) flight.wheel = io.MouseWheel;
+  if (const auto wanted = std::exchange(workspace_.cameraWanted, std::nullopt)) {
+    options_.camera = *wanted;
+    workspace_.cameraReset = workspace_.changed = true;
+  }
   if (std::exchange(workspace_.cameraReset, false)) {
     if (camera_->flown()) workspace_.changed = true;
     camera_->reset();

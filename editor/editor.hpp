@@ -12,7 +12,7 @@
 #include "fly_camera.hpp"
 #include "history.hpp"
 #include "imgui_renderer.hpp"
-#include "lights_panel.hpp"
+#include "level_panel.hpp"
 #include "menu_bar.hpp"
 #include "options.hpp"
 #include "parameter_panel.hpp"
@@ -97,9 +97,9 @@ class Editor {
   std::optional<FlyCamera> camera_;
   ParameterPanel parameters_;
   TimesPanel times_;
-  LightsPanel lights_;
+  LevelPanel level_;
   std::uint64_t levelsSeen_ = 0;
-  LightEdits lightsSeen_;                 ///< that levelEdits counts
+  SceneEdits editsSeen_;                  ///< that levelEdits counts
   History history_;
   MenuBar menu_;
   Shortcuts shortcuts_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include <imgui.h>
@@ -20,6 +21,7 @@ struct Workspace {
   std::string debugView;          ///< "" = the picture
   bool changed = true;            ///< the picture is out of date
   bool cameraReset = false;       ///< F, or its button
+  std::optional<std::uint32_t> cameraWanted;  ///< of the file's: looked through from now on
   bool reloadPlugin = false, reloadShaders = false;
   std::string message;            ///< the newest, one line
   bool messageIsError = false;
