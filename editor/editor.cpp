@@ -151,6 +151,7 @@ Result<bool> Editor::step() {
   watchEdits();
   ImGui::Render();
   if (std::exchange(captureAsked_, false)) takeCapture();
+  writeView();
   if (!levelAsked_.empty()) openLevel(std::exchange(levelAsked_, ""));
   if (levelLost_) return *levelLost_;
   keepSettings();

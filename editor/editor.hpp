@@ -66,6 +66,7 @@ class Editor {
   EditState editState() const;
   std::string levelText() const;          ///< the level as a sample's name or an absolute path
   void takeCapture();
+  void writeView();                       ///< what a viewer asked for
   void noticeLevel();                     ///< what belongs to a level starts anew when it is another, whoever set it
   void openLevel(const std::string& level);
   void browse(Command command);           ///< opens the file window for it

@@ -1,4 +1,6 @@
 // What the menu's commands do, and how edits become steps that can be undone.
+#include <utility>
+
 #include "editor.hpp"
 
 namespace tyndall::editor {
@@ -39,6 +41,15 @@ void Editor::takeCapture() {
   workspace_.changed = true;
   if (!done) return workspace_.tell(done.error().message, true);
   workspace_.tell("captured; the command is in the clipboard", false);
+}
+
+void Editor::writeView() {
+  const auto write = std::exchange(workspace_.writeView, nullptr);
+  if (!write) return;
+  const std::string stem = std::filesystem::path(levelText()).stem().string() + "-" + workspace_.writeViewName;
+  const std::filesystem::path file = capture_.fileOf(capture_.freeName(stem, {".exr"}), ".exr");
+  if (auto done = write(file); !done) return workspace_.tell(done.error().message, true);
+  workspace_.tell("wrote " + file.string(), false);
 }
 
 void Editor::perform(Command command) {
