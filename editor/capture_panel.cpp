@@ -47,8 +47,7 @@ std::string CapturePanel::freeName(const std::string& stem, std::initializer_lis
     const std::string base = stem + digits;
     bool taken = false;
     std::error_code unreadable;
-    for (const char* extension : extensions)
-      taken = taken || fs::exists(fileOf(base, extension), unreadable);
+    for (const char* extension : extensions) taken = taken || fs::exists(fileOf(base, extension), unreadable);
     if (!taken) return base;
   }
 }

@@ -168,6 +168,9 @@ Result<bool> Editor::step() {
   }
   if (auto shown = renderWindow(); !shown) return shown.error();
   ++frames_;
+  // Whether the window shows what the settings say: scripts wait for it.
+  const bool building = session_->effect().background() == host::PluginEffect::Background::kBuilding;
+  workspace_.facts["picture"] = building ? "building" : pictureWanted() ? "due" : "current";
   const StateFile::Snapshot now{*session_, workspace_, *camera_, history_, camera_->view(fileCamera()), cameraIndex(), frames_, pictures_};
   if (auto written = state_.update(now); !written) return written.error();
   return true;
@@ -194,7 +197,7 @@ void Editor::drawWindows() {
   drawViewport(top, size.x - side, height);
   drawSide(size.x - side, top, side, height);
   if (const auto step = drawHistory(history_, historyOpen_, workspace_)) restore(history_.jump(*step));
-  drawHelp(helpOpen_);
+  drawHelp(helpOpen_, workspace_);
   research_->draw(workspace_, viewport());
   if (const auto file = files_.draw(workspace_)) fileChosen(*file);
   drawComparison();

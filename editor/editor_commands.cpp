@@ -6,7 +6,8 @@
 namespace tyndall::editor {
 
 EditState Editor::editState() const {
-  return {settingsOf(session_->table()), camera_->pose(), cameraIndex(), editsOf(session_->level()->scene, level_.file())};
+  return {settingsOf(session_->table()), camera_->pose(), cameraIndex(),
+          editsOf(session_->level()->scene, level_.file())};
 }
 
 void Editor::watchEdits() {

@@ -37,7 +37,7 @@ const char* alphaName(scene::AlphaMode mode) {
 bool section(const char* name, std::size_t count, bool open, Workspace& workspace) {
   const std::string title = name + ("  (" + std::to_string(count) + ")###") + name;
   const bool shown = ImGui::CollapsingHeader(title.c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-  workspace.place(std::string("section ") + name);
+  if (ImGui::IsItemVisible()) workspace.place(std::string("section ") + name);
   return shown;
 }
 

@@ -95,7 +95,7 @@ std::optional<std::size_t> drawHistory(const History& history, bool& open, Works
   return chosen;
 }
 
-void drawHelp(bool& open) {
+void drawHelp(bool& open, Workspace& workspace) {
   if (!open) return;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -108,8 +108,12 @@ void drawHelp(bool& open) {
     row("Shift; wheel", "four times as fast; speed");
     row("Ctrl+click", "on a slider: type a value");
     row("double click", "on a name: default value");
+    std::string keys;
     for (const Shortcut& shortcut : shortcuts())
-      if (shortcut.keys) row(shortcut.keys, shortcut.does);
+      if (shortcut.keys) row(shortcut.keys, shortcut.does), keys += std::string(shortcut.keys) + "; ";
+    workspace.facts["keys"] = keys;
+    const ImVec2 low = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
+    workspace.widgets["keys"] = {low.x, low.y, extent.x, extent.y};
     ImGui::EndTable();
   }
   ImGui::End();

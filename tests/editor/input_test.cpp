@@ -1,30 +1,17 @@
 // Real keys and clicks change what they say they do.
 #include <cmath>
 
-#include "display.hpp"
+#include "session.hpp"
 
 namespace tyndall::editor_test {
 namespace {
 
-using Json = nlohmann::json;
-
-/// Small and cheap, so that a frame takes a fraction of a second on a slow machine.
-const std::vector<std::string> kSmall = {"hall", "--size", "640x400", "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64", "--set", "shadows.resolution=256"};
-
-class InputTest : public EditorTest {
+class InputTest : public SessionTest {
  protected:
   void SetUp() override {
-    EditorTest::SetUp();
+    SessionTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
-    ASSERT_TRUE(haveProgram("xdotool"));
-    startEditor(kSmall);
-    ASSERT_FALSE(waitFor([](const Json& s) { return s["frames"] >= 4; }).is_null()) << errors();
-    focus();
-  }
-  /// Ctrl+Q is the way out.
-  void quit() {
-    input({"keydown", "ctrl", "keydown", "q", "sleep", "1", "keyup", "q", "keyup", "ctrl"});
-    EXPECT_EQ(waitEditor(60), 0) << errors();
+    startTiny("640x400");
   }
 };
 
