@@ -217,11 +217,15 @@ void Editor::drawViewport(float y, float width, float height) {
   viewWidth_ = std::clamp(static_cast<std::uint32_t>(std::max(width, 1.0f) * scale.x), 1u, limit);
   viewHeight_ = std::clamp(static_cast<std::uint32_t>(std::max(height, 1.0f) * scale.y), 1u, limit);
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("picture", {std::max(width, 1.0f), std::max(height, 1.0f)}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  ImGui::InvisibleButton("picture", {std::max(width, 1.0f), std::max(height, 1.0f)}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   workspace_.place("viewport");
   viewHovered_ = ImGui::IsItemHovered();
   // Not in the frame of the press itself: the mouse's way to where it was pressed is no drag.
-  looking_ = ImGui::IsItemActive() && !ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  const bool dragged = ImGui::IsItemActive() && !ImGui::IsItemActivated();
+  looking_ = dragged && ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  const bool orbits = dragged && ImGui::IsMouseDown(ImGuiMouseButton_Middle) && !looking_;
+  if (orbits && !orbiting_) orbitPivot_ = level_.pivot(*session_->level(), workspace_.seconds);
+  orbiting_ = orbits;
   ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(Texture::kPicture), low, {low.x + width, low.y + height});
   viewLow_ = {low.x, low.y}, viewSize_ = {width, height};
   research_->drawOver(*ImGui::GetWindowDrawList(), workspace_, viewport());
@@ -273,6 +277,7 @@ void Editor::steer() {
   if (!control) flight.push = {float(right) - float(left), float(up) - float(down), float(ahead) - float(back)};
   flight.fast = io.KeyShift;
   if (looking_) flight.look = {io.MouseDelta.x, io.MouseDelta.y};
+  if (orbiting_) flight.orbit = {io.MouseDelta.x, io.MouseDelta.y}, flight.pivot = orbitPivot_;
   if (viewHovered_) flight.wheel = io.MouseWheel;
   if (const auto wanted = std::exchange(workspace_.cameraWanted, std::nullopt)) {
     options_.camera = *wanted;
@@ -285,7 +290,7 @@ void Editor::steer() {
   }
   const float seconds = moving_ ? std::min(passed, kMaxFlightSeconds) : kFirstFlightSeconds;
   if (camera_->fly(flight, seconds, fileCamera())) workspace_.changed = true;
-  moving_ = flight.push != glm::vec3(0) || looking_;
+  moving_ = flight.push != glm::vec3(0) || looking_ || orbiting_;
 }
 
 }  // namespace tyndall::editor

@@ -121,7 +121,8 @@ class Editor {
   std::uint32_t viewWidth_ = 0, viewHeight_ = 0;  ///< pixels of the viewport
   std::uint32_t frames_ = 0, pictures_ = 0;
   glm::vec2 viewLow_{0}, viewSize_{0};            ///< of the viewport on the screen, points
-  bool viewHovered_ = false, looking_ = false;
+  bool viewHovered_ = false, looking_ = false, orbiting_ = false;
+  glm::vec3 orbitPivot_{0};        ///< that the orbit under way goes round, world
   bool moving_ = false;            ///< the camera was flown in the last frame
   bool timesTaken_ = true;         ///< of the newest picture
   double lastTime_ = 0;            ///< of the last step, seconds since the start

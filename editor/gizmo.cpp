@@ -58,7 +58,9 @@ bool Gizmo::draw(ImDrawList& list, app::Session& session, const PictureView& vie
   const glm::mat4& eye = view.camera.worldFromView;
   scope.worldFromParent = worldFromParent(scene, worldFromNode, node);
   scope.pivot = sun ? glm::vec3(eye[3] - eye[2] * kSunMetres) : pivotOf(scene, worldFromNode, node);
-  scope.direction = glm::normalize(-glm::vec3(worldFromNode[static_cast<std::size_t>(node)][2]));
+  // A node that is scaled to nothing looks nowhere.
+  if (const glm::vec3 backward(worldFromNode[static_cast<std::size_t>(node)][2]); glm::length(backward) > 0)
+    scope.direction = -glm::normalize(backward);
   scope.mouse = {io.MousePos.x, io.MousePos.y};
   scope.pressed = view.hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) || (drag_ && drag_->node != node)) drag_.reset();
@@ -68,7 +70,7 @@ bool Gizmo::draw(ImDrawList& list, app::Session& session, const PictureView& vie
     scope.metresPerPoint = 2 * depth * std::tan(view.camera.camera.yfov / 2) / view.size.y;
     const bool still = !isAnimated(scene, node, scene::AnimationTarget::kTranslation);
     const bool steady = !isAnimated(scene, node, scene::AnimationTarget::kRotation);
-    if (scope.light && scope.light->kind != scene::LightKind::kPoint) {
+    if (scope.light && scope.light->kind != scene::LightKind::kPoint && scope.direction != glm::vec3(0)) {
       if (scope.light->kind == scene::LightKind::kSpot) cone(scope);
       if (steady) aim(scope);
     }

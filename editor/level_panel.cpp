@@ -158,6 +158,17 @@ void LevelPanel::fields(app::Session& session, Workspace& workspace) {
   if (moved) setNode(session.editScene(), index, place), workspace.changed = true;
 }
 
+glm::vec3 LevelPanel::pivot(const app::Level& level, double seconds) const {
+  const auto worldFromNode = level.worldFromNode(seconds);
+  if (selected_ && selected_->kind != Kind::kMaterial) {
+    const std::int32_t light = level.scene.nodes[at(selected_->index)].light;
+    const bool sun = light != scene::kNone && level.scene.lights[at(light)].kind == scene::LightKind::kDirectional;
+    if (!sun) return pivotOf(level.scene, worldFromNode, selected_->index);
+  }
+  const scene::Bounds bounds = scene::worldBounds(level.scene, worldFromNode);
+  return bounds.empty() ? glm::vec3(0) : 0.5f * (bounds.min + bounds.max);
+}
+
 void LevelPanel::drawOver(ImDrawList& list, app::Session& session, const PictureView& view, Workspace& workspace) {
   if (!std::exchange(shown_, false)) return gizmo_.release();
   const bool pressed = view.hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);

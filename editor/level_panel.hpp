@@ -21,6 +21,8 @@ class LevelPanel {
   void drawOver(ImDrawList& list, app::Session& session, const PictureView& view, Workspace& workspace);
 
   const SceneFile& file() const { return file_; }
+  /// What an orbit goes round: what is selected, or the middle of the level. World.
+  glm::vec3 pivot(const app::Level& level, double seconds) const;
 
  private:
   enum class Kind { kLight, kNode, kMaterial };

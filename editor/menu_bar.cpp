@@ -105,6 +105,7 @@ void drawHelp(bool& open, Workspace& workspace) {
       ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) {
     row("W A S D, Q E", "fly forward, left, back, right; down, up");
     row("right drag", "look around");
+    row("middle drag", "orbit: round what is selected, or the level's middle");
     row("Shift; wheel", "four times as fast; speed");
     row("Ctrl+click", "on a slider: type a value");
     row("double click", "on a name: default value");

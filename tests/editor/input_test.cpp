@@ -1,6 +1,8 @@
 // Real keys and clicks change what they say they do.
 #include <cmath>
 
+#include <glm/glm.hpp>
+
 #include "session.hpp"
 
 namespace tyndall::editor_test {
@@ -52,6 +54,27 @@ TEST_F(InputTest, ARightDragTurnsByItsLengthAndMovesNowhere) {
   EXPECT_NEAR(yaw(after) - yaw(before), 50 * 0.004, 1e-3);  // radians: 50 pixels to the right turn right
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(after["camera"]["position"][i].get<double>(), before["camera"]["position"][i].get<double>(), 1e-4);
+  quit();
+}
+
+TEST_F(InputTest, AMiddleDragGoesRoundTheLevelsMiddle) {
+  const glm::dvec3 middle(0, 0.75, 0);  // of tiny_level.cpp's boxes
+  const auto eye = [](const Json& s) {
+    return glm::dvec3(s["camera"]["position"][0].get<double>(), s["camera"]["position"][1].get<double>(), s["camera"]["position"][2].get<double>());
+  };
+  const auto yaw = [](const Json& s) { return std::atan2(s["camera"]["forward"][0].get<double>(), -s["camera"]["forward"][2].get<double>()); };
+  const Json before = state();
+  move(100, 200);
+  input({"mousedown", "2"});
+  waitFrames(3);
+  move(150, 190);
+  waitFrames(2);
+  input({"mouseup", "2"});
+  ASSERT_TRUE(stepIs(1));
+  const Json after = state();
+  EXPECT_NEAR(yaw(after) - yaw(before), 50 * 0.004, 1e-3);  // radians
+  EXPECT_NEAR(glm::distance(eye(after), middle), glm::distance(eye(before), middle), 1e-3);
+  EXPECT_GT(glm::distance(eye(after), eye(before)), 1);
   quit();
 }
 

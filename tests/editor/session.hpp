@@ -19,7 +19,7 @@ class SessionTest : public EditorTest {
 
   std::string setting(const char* id) const { return state()["settings"][id]; }
   std::string fact(const char* name) const { return state()["facts"].value(name, ""); }
-  std::vector<double> numbers(const char* fact) const;
+  std::vector<double> numbers(const char* name) const;
   bool becomes(const char* id, const std::string& value);
   bool factBecomes(const char* name, const std::string& value);
   bool appears(const std::string& widget);
