@@ -38,6 +38,7 @@ void viewCombo(const app::Session& session, Workspace& workspace) {
   if (!open) return;
   const auto choose = [&](const std::string& name, const char* label, const std::string& doc) {
     if (ImGui::Selectable(label, workspace.debugView == name)) workspace.debugView = name, workspace.changed = true;
+    if (ImGui::IsItemVisible()) workspace.place("show " + name);
     if (!doc.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", doc.c_str());
   };
   choose("", "the picture", "");

@@ -151,6 +151,7 @@ Result<bool> Editor::step() {
   watchEdits();
   ImGui::Render();
   if (std::exchange(captureAsked_, false)) takeCapture();
+  writeView();
   if (!levelAsked_.empty()) openLevel(std::exchange(levelAsked_, ""));
   if (levelLost_) return *levelLost_;
   keepSettings();
@@ -167,7 +168,10 @@ Result<bool> Editor::step() {
   }
   if (auto shown = renderWindow(); !shown) return shown.error();
   ++frames_;
-  const StateFile::Snapshot now{*session_, workspace_, *camera_, history_, camera_->view(fileCamera()), frames_, pictures_};
+  // Whether the window shows what the settings say: scripts wait for it.
+  const bool building = session_->effect().background() == host::PluginEffect::Background::kBuilding;
+  workspace_.facts["picture"] = building ? "building" : pictureWanted() ? "due" : "current";
+  const StateFile::Snapshot now{*session_, workspace_, *camera_, history_, camera_->view(fileCamera()), cameraIndex(), frames_, pictures_};
   if (auto written = state_.update(now); !written) return written.error();
   return true;
 }
@@ -193,7 +197,7 @@ void Editor::drawWindows() {
   drawViewport(top, size.x - side, height);
   drawSide(size.x - side, top, side, height);
   if (const auto step = drawHistory(history_, historyOpen_, workspace_)) restore(history_.jump(*step));
-  drawHelp(helpOpen_);
+  drawHelp(helpOpen_, workspace_);
   research_->draw(workspace_, viewport());
   if (const auto file = files_.draw(workspace_)) fileChosen(*file);
   drawComparison();
@@ -213,15 +217,19 @@ void Editor::drawViewport(float y, float width, float height) {
   viewWidth_ = std::clamp(static_cast<std::uint32_t>(std::max(width, 1.0f) * scale.x), 1u, limit);
   viewHeight_ = std::clamp(static_cast<std::uint32_t>(std::max(height, 1.0f) * scale.y), 1u, limit);
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("picture", {std::max(width, 1.0f), std::max(height, 1.0f)}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  ImGui::InvisibleButton("picture", {std::max(width, 1.0f), std::max(height, 1.0f)}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   workspace_.place("viewport");
   viewHovered_ = ImGui::IsItemHovered();
   // Not in the frame of the press itself: the mouse's way to where it was pressed is no drag.
-  looking_ = ImGui::IsItemActive() && !ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  const bool dragged = ImGui::IsItemActive() && !ImGui::IsItemActivated();
+  looking_ = dragged && ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  const bool orbits = dragged && ImGui::IsMouseDown(ImGuiMouseButton_Middle) && !looking_;
+  if (orbits && !orbiting_) orbitPivot_ = level_.pivot(*session_->level(), workspace_.seconds);
+  orbiting_ = orbits;
   ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(Texture::kPicture), low, {low.x + width, low.y + height});
   viewLow_ = {low.x, low.y}, viewSize_ = {width, height};
   research_->drawOver(*ImGui::GetWindowDrawList(), workspace_, viewport());
-  lights_.drawOver(*ImGui::GetWindowDrawList(), *session_, {camera_->view(fileCamera()), viewLow_, viewSize_, viewHovered_}, workspace_);
+  level_.drawOver(*ImGui::GetWindowDrawList(), *session_, {camera_->view(fileCamera()), viewLow_, viewSize_, viewHovered_}, workspace_);
   ImGui::End();
   ImGui::PopStyleVar();
 }
@@ -243,7 +251,11 @@ void Editor::drawSide(float x, float y, float width, float height) {
     };
     if (tab("times")) times_.draw(*session_, settings_.budgetMs, workspace_), ImGui::EndTabItem();
     if (tab("memory, skipped")) times_.drawSkipped(*session_, workspace_), ImGui::EndTabItem();
-    if (tab("lights")) lights_.draw(*session_, workspace_), ImGui::EndTabItem();
+    if (tab("level")) {
+      const auto seen = camera_->flown() ? std::nullopt : std::optional(cameraIndex());
+      level_.draw(*session_, seen, workspace_);
+      ImGui::EndTabItem();
+    }
     ImGui::EndTabBar();
   }
   ImGui::End();
@@ -265,7 +277,12 @@ void Editor::steer() {
   if (!control) flight.push = {float(right) - float(left), float(up) - float(down), float(ahead) - float(back)};
   flight.fast = io.KeyShift;
   if (looking_) flight.look = {io.MouseDelta.x, io.MouseDelta.y};
+  if (orbiting_) flight.orbit = {io.MouseDelta.x, io.MouseDelta.y}, flight.pivot = orbitPivot_;
   if (viewHovered_) flight.wheel = io.MouseWheel;
+  if (const auto wanted = std::exchange(workspace_.cameraWanted, std::nullopt)) {
+    options_.camera = *wanted;
+    workspace_.cameraReset = workspace_.changed = true;
+  }
   if (std::exchange(workspace_.cameraReset, false)) {
     if (camera_->flown()) workspace_.changed = true;
     camera_->reset();
@@ -273,7 +290,7 @@ void Editor::steer() {
   }
   const float seconds = moving_ ? std::min(passed, kMaxFlightSeconds) : kFirstFlightSeconds;
   if (camera_->fly(flight, seconds, fileCamera())) workspace_.changed = true;
-  moving_ = flight.push != glm::vec3(0) || looking_;
+  moving_ = flight.push != glm::vec3(0) || looking_ || orbiting_;
 }
 
 }  // namespace tyndall::editor

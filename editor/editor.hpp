@@ -12,7 +12,7 @@
 #include "fly_camera.hpp"
 #include "history.hpp"
 #include "imgui_renderer.hpp"
-#include "lights_panel.hpp"
+#include "level_panel.hpp"
 #include "menu_bar.hpp"
 #include "options.hpp"
 #include "parameter_panel.hpp"
@@ -66,6 +66,7 @@ class Editor {
   EditState editState() const;
   std::string levelText() const;          ///< the level as a sample's name or an absolute path
   void takeCapture();
+  void writeView();                       ///< what a viewer asked for
   void noticeLevel();                     ///< what belongs to a level starts anew when it is another, whoever set it
   void openLevel(const std::string& level);
   void browse(Command command);           ///< opens the file window for it
@@ -97,9 +98,9 @@ class Editor {
   std::optional<FlyCamera> camera_;
   ParameterPanel parameters_;
   TimesPanel times_;
-  LightsPanel lights_;
+  LevelPanel level_;
   std::uint64_t levelsSeen_ = 0;
-  LightEdits lightsSeen_;                 ///< that levelEdits counts
+  SceneEdits editsSeen_;                  ///< that levelEdits counts
   History history_;
   MenuBar menu_;
   Shortcuts shortcuts_;
@@ -120,7 +121,8 @@ class Editor {
   std::uint32_t viewWidth_ = 0, viewHeight_ = 0;  ///< pixels of the viewport
   std::uint32_t frames_ = 0, pictures_ = 0;
   glm::vec2 viewLow_{0}, viewSize_{0};            ///< of the viewport on the screen, points
-  bool viewHovered_ = false, looking_ = false;
+  bool viewHovered_ = false, looking_ = false, orbiting_ = false;
+  glm::vec3 orbitPivot_{0};        ///< that the orbit under way goes round, world
   bool moving_ = false;            ///< the camera was flown in the last frame
   bool timesTaken_ = true;         ///< of the newest picture
   double lastTime_ = 0;            ///< of the last step, seconds since the start

@@ -1,26 +1,30 @@
 // What the menu's commands do, and how edits become steps that can be undone.
+#include <utility>
+
 #include "editor.hpp"
 
 namespace tyndall::editor {
 
 EditState Editor::editState() const {
-  return {settingsOf(session_->table()), camera_->pose(), changedLights(session_->level()->scene, lights_.file())};
+  return {settingsOf(session_->table()), camera_->pose(), cameraIndex(),
+          editsOf(session_->level()->scene, level_.file())};
 }
 
 void Editor::watchEdits() {
   const bool held = ImGui::IsAnyItemActive() || parameters_.pending();
   const EditState now = editState();
-  // The research windows take a copy of the level for each edit of its lights: not while one is dragged.
-  if (history_.observe(session_->table(), now, held || moving_) && now.lights != lightsSeen_)
-    lightsSeen_ = now.lights, ++workspace_.levelEdits;
+  // The research windows take a copy of the level for each edit of it: not while one is dragged.
+  if (history_.observe(session_->table(), now, held || moving_) && now.scene != editsSeen_)
+    editsSeen_ = now.scene, ++workspace_.levelEdits;
 }
 
 void Editor::restore(const EditState* state) {
   if (!state) return;
   const std::vector<std::string> refused = applySettings(session_->table(), state->settings);
   camera_->setPose(state->pose);
-  applyLights(session_->editScene(), lights_.file(), state->lights);
-  if (state->lights != lightsSeen_) lightsSeen_ = state->lights, ++workspace_.levelEdits;
+  options_.camera = state->camera;
+  applyEdits(session_->editScene(), level_.file(), state->scene);
+  if (state->scene != editsSeen_) editsSeen_ = state->scene, ++workspace_.levelEdits;
   workspace_.changed = true;
   if (!refused.empty())
     workspace_.tell("a value of then has no meaning now: " + refused.front(), true);
@@ -34,10 +38,19 @@ void Editor::takeCapture() {
   view.camera = cameraIndex(), view.pose = camera_->pose();
   view.size = {viewWidth_, viewHeight_}, view.seconds = workspace_.seconds, view.debugView = workspace_.debugView;
   view.pluginFolder = options_.pluginFolder;
-  auto done = capture_.take(*session_, view, !editState().lights.empty());
+  auto done = capture_.take(*session_, view, !editState().scene.empty());
   workspace_.changed = true;
   if (!done) return workspace_.tell(done.error().message, true);
   workspace_.tell("captured; the command is in the clipboard", false);
+}
+
+void Editor::writeView() {
+  const auto write = std::exchange(workspace_.writeView, nullptr);
+  if (!write) return;
+  const std::string stem = std::filesystem::path(levelText()).stem().string() + "-" + workspace_.writeViewName;
+  const std::filesystem::path file = capture_.fileOf(capture_.freeName(stem, {".exr"}), ".exr");
+  if (auto done = write(file); !done) return workspace_.tell(done.error().message, true);
+  workspace_.tell("wrote " + file.string(), false);
 }
 
 void Editor::perform(Command command) {

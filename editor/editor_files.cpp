@@ -24,9 +24,9 @@ std::string Editor::levelText() const {
 void Editor::noticeLevel() {
   if (session_->levelsSet() == levelsSeen_) return;
   levelsSeen_ = session_->levelsSet();
-  lights_.reset(session_->editScene());
-  lightsSeen_.clear();
-  history_.clear();  // its cameras and lights are of another place
+  level_.reset(session_->editScene());
+  editsSeen_ = {};
+  history_.clear();  // its cameras and edits are of another place
   ++workspace_.levelEdits;
 }
 

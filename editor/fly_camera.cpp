@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace tyndall::editor {
@@ -21,11 +22,20 @@ FlyCamera::FlyCamera(float reach) : speed_(std::clamp(reach / 10, 0.1f, 100.0f))
 
 bool FlyCamera::fly(const Flight& flight, float seconds, const scene::CameraView& file) {
   if (flight.wheel != 0) speed_ = std::clamp(speed_ * std::pow(kSpeedPerNotch, flight.wheel), kMinSpeed, kMaxSpeed);
-  const bool moves = flight.push != glm::vec3(0) || flight.look != glm::vec2(0);
+  const bool moves = flight.push != glm::vec3(0) || flight.look != glm::vec2(0) || flight.orbit != glm::vec2(0);
   if (!moves) return false;
   if (!pose_) {
     pose_ = app::poseOf(file);
     pose_->pitch = std::clamp(pose_->pitch, -kMaxPitch, kMaxPitch);
+  }
+  if (flight.orbit != glm::vec2(0)) {
+    const float before = pose_->pitch, aside = glm::radians(flight.orbit.x * kDegreesPerPixel), yaw = glm::radians(pose_->yaw);
+    pose_->pitch = std::clamp(before - flight.orbit.y * kDegreesPerPixel, -kMaxPitch, kMaxPitch);
+    pose_->yaw = std::remainder(pose_->yaw + flight.orbit.x * kDegreesPerPixel, 360.0f);
+    // Position and view turn alike: up about the view's right, then aside about the world's up (to the right: clockwise from above).
+    const glm::quat up = glm::angleAxis(glm::radians(pose_->pitch - before), glm::vec3(std::cos(yaw), 0, std::sin(yaw)));
+    const glm::vec3 offset = glm::angleAxis(-aside, glm::vec3(0, 1, 0)) * (up * (pose_->position - flight.pivot));
+    pose_->position = glm::clamp(flight.pivot + offset, -kMaxPosition, kMaxPosition);
   }
   pose_->yaw = std::remainder(pose_->yaw + flight.look.x * kDegreesPerPixel, 360.0f);
   pose_->pitch = std::clamp(pose_->pitch - flight.look.y * kDegreesPerPixel, -kMaxPitch, kMaxPitch);

@@ -15,8 +15,10 @@ struct Flight {
   glm::vec3 push{0};   ///< right, up (of the world), forward; each -1, 0 or 1
   bool fast = false;
   glm::vec2 look{0};   ///< pixels that the mouse was dragged: right, down
+  glm::vec2 orbit{0};  ///< the same, to go round `pivot`, which stays where it is in the picture
+  glm::vec3 pivot{0};  ///< world
   float wheel = 0;     ///< notches: speed
-  bool any() const { return push != glm::vec3(0) || look != glm::vec2(0) || wheel != 0; }
+  bool any() const { return push != glm::vec3(0) || look != glm::vec2(0) || orbit != glm::vec2(0) || wheel != 0; }
 };
 
 class FlyCamera {

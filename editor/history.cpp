@@ -31,8 +31,13 @@ std::string labelOf(const params::Table& table, const EditState& before, const E
   } else if (!changed.empty()) {
     add(std::to_string(changed.size()) + " settings");
   }
-  if (before.lights != after.lights) add("light");
-  if (before.pose != after.pose) add(after.pose ? "camera" : "camera to the file's");
+  if (before.scene.lights != after.scene.lights) add("light");
+  if (before.scene.nodes != after.scene.nodes) add("place");
+  if (before.scene.materials != after.scene.materials) add("material");
+  if (before.camera != after.camera)
+    add("camera " + std::to_string(after.camera));
+  else if (before.pose != after.pose)
+    add(after.pose ? "camera" : "camera to the file's");
   return label.empty() ? "default values"
                        : label;  // a value that was set to its default is set no longer, or the reverse
 }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/pose.hpp"
-#include "light_edits.hpp"
 #include "params/params.hpp"
+#include "scene_edits.hpp"
 
 namespace tyndall::editor {
 
@@ -19,7 +19,8 @@ namespace tyndall::editor {
 struct EditState {
   std::map<std::string, std::string> settings;
   std::optional<app::Pose> pose;  ///< of a camera that was flown
-  LightEdits lights;              ///< that differ from the file's
+  std::uint32_t camera = 0;       ///< of the file's: which one is looked through, or was before the flight
+  SceneEdits scene;               ///< what of the level differs from the file
   bool operator==(const EditState&) const = default;
 };
 

@@ -95,7 +95,7 @@ std::optional<std::size_t> drawHistory(const History& history, bool& open, Works
   return chosen;
 }
 
-void drawHelp(bool& open) {
+void drawHelp(bool& open, Workspace& workspace) {
   if (!open) return;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -105,11 +105,16 @@ void drawHelp(bool& open) {
       ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) {
     row("W A S D, Q E", "fly forward, left, back, right; down, up");
     row("right drag", "look around");
+    row("middle drag", "orbit: round what is selected, or the level's middle");
     row("Shift; wheel", "four times as fast; speed");
     row("Ctrl+click", "on a slider: type a value");
     row("double click", "on a name: default value");
+    std::string keys;
     for (const Shortcut& shortcut : shortcuts())
-      if (shortcut.keys) row(shortcut.keys, shortcut.does);
+      if (shortcut.keys) row(shortcut.keys, shortcut.does), keys += std::string(shortcut.keys) + "; ";
+    workspace.facts["keys"] = keys;
+    const ImVec2 low = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
+    workspace.widgets["keys"] = {low.x, low.y, extent.x, extent.y};
     ImGui::EndTable();
   }
   ImGui::End();

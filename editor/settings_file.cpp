@@ -24,7 +24,8 @@ std::string textOf(const Settings& s) {
   json["capture"] = {{"picture", s.capturePicture},
                      {"scatter", s.captureScatter},
                      {"depth", s.captureDepth},
-                     {"stats", s.captureStats}};
+                     {"stats", s.captureStats},
+                     {"view", s.captureView}};
   json["budget_ms"] = s.budgetMs;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -41,6 +42,7 @@ Settings settingsFrom(const Json& json) {
   s.capturePicture = capture.value("picture", s.capturePicture),
   s.captureScatter = capture.value("scatter", s.captureScatter);
   s.captureDepth = capture.value("depth", s.captureDepth), s.captureStats = capture.value("stats", s.captureStats);
+  s.captureView = capture.value("view", s.captureView);
   s.budgetMs = json.value("budget_ms", s.budgetMs);
   return s;
 }

@@ -13,6 +13,7 @@ struct Settings {
   std::vector<std::string> recentLevels;  ///< samples' names and absolute paths, the newest first, at most ten
   std::string levelFolder, presetFolder, captureFolder;
   bool capturePicture = true, captureScatter = false, captureDepth = false, captureStats = true;
+  bool captureView = false;
   double budgetMs = 16;  ///< the line in the graph of GPU times
   bool operator==(const Settings&) const = default;
 

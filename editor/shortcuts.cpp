@@ -14,7 +14,7 @@ constexpr Shortcut kShortcuts[] = {
     {Command::kComparePreset, "Compare with preset ...", "Ctrl+D", "a table of the values that differ from a file's",
      GLFW_KEY_D, true},
     {Command::kCapture, "Capture ...", "Ctrl+P",
-     "picture, radiance, depth, figures, and the command that makes them again", GLFW_KEY_P, true},
+     "picture, radiance, depth, numbers of a view, figures, and the command that makes them again", GLFW_KEY_P, true},
     {Command::kQuit, "Quit", "Ctrl+Q", "ends the editor", GLFW_KEY_Q, true},
     {Command::kUndo, "Undo", "Ctrl+Z", "takes the last edit back", GLFW_KEY_Z, true},
     {Command::kRedo, "Redo", "Ctrl+Shift+Z", "makes it again; also Ctrl+Y", GLFW_KEY_Z, true, true},

@@ -20,7 +20,7 @@ Result<void> StateFile::update(const Snapshot& now) {
   json["playing"] = now.workspace.playing;
   json["debug_view"] = now.workspace.debugView;
   json["message"] = now.workspace.message;
-  json["camera"] = {{"flown", now.camera.flown()}, {"position", vector(pose[3])}, {"forward", vector(-pose[2])}, {"speed", now.camera.speed()}};
+  json["camera"] = {{"index", now.cameraIndex}, {"flown", now.camera.flown()}, {"position", vector(pose[3])}, {"forward", vector(-pose[2])}, {"speed", now.camera.speed()}};
   json["history"] = {{"steps", now.history.steps().size()}, {"present", now.history.present()}};
   if (!now.history.steps().empty()) json["history"]["label"] = now.history.steps()[now.history.present()].label;
   const params::Table& table = now.session.table();

@@ -23,6 +23,7 @@ class StateFile {
     const FlyCamera& camera;
     const History& history;
     scene::CameraView view;
+    std::uint32_t cameraIndex = 0;           ///< of the file's
     std::uint32_t frames = 0, pictures = 0;  ///< windows shown; pictures rendered for them
   };
   /// Writes the file, all or nothing, when something in it differs from the last call.

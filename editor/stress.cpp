@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "node_motion.hpp"
 #include "stress_level.hpp"
 
 namespace tyndall::editor {
@@ -94,8 +95,10 @@ Result<void> Stress::something(const Stage& stage) {
   Workspace& workspace = stage.workspace;
   const std::uint32_t kind = below(100);
   lastAction_ = "";
-  if (kind < 55)
+  if (kind < 45)
     changeParameter(stage);
+  else if (kind < 55)
+    editLevel(stage);
   else if (kind < 67)
     resize(stage);
   else if (kind < 74)
@@ -179,6 +182,32 @@ void Stress::changeView(const Stage& stage) {
   const std::uint32_t chosen = below(static_cast<std::uint32_t>(views.size()) + 2);
   stage.workspace.debugView = chosen < views.size() ? views[chosen].name : "";
   lastAction_ = "another debug view";
+}
+
+/// As the level's panel and its handles do.
+void Stress::editLevel(const Stage& stage) {
+  scene::Scene& scene = stage.session.editScene();
+  lastAction_ = "an edit of the level";
+  if (below(2) == 0 && !scene.materials.empty()) {
+    const int material = static_cast<int>(below(static_cast<std::uint32_t>(scene.materials.size())));
+    MaterialEdit edit = materialAt(scene, material);
+    for (int i = 0; i < 4; ++i) edit.baseColor[i] = static_cast<float>(unit());
+    edit.roughness = static_cast<float>(unit());
+    return setMaterial(scene, material, edit);
+  }
+  if (scene.nodes.empty()) return;
+  const int node = static_cast<int>(below(static_cast<std::uint32_t>(scene.nodes.size())));
+  const auto worldFromNode = stage.session.level()->worldFromNode(stage.workspace.seconds);
+  const glm::mat4 parent = worldFromParent(scene, worldFromNode, node);
+  const auto signedUnit = [this] { return static_cast<float>(2 * unit() - 1); };
+  NodeEdit place = moved(nodeAt(scene, node), parent, {signedUnit(), signedUnit(), signedUnit()});
+  place = turned(place, parent, {signedUnit(), signedUnit(), signedUnit()},
+                 glm::angleAxis(signedUnit(), glm::vec3(0, 1, 0)));
+  setNode(scene, node, place);
+  if (scene.nodes[static_cast<std::size_t>(node)].light == scene::kNone) return;
+  LightEdit light = lightAt(scene, node);
+  light.intensity *= static_cast<float>(0.5 + unit());
+  setLight(scene, node, light);
 }
 
 void Stress::orderFault(const Stage& stage) {

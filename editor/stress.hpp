@@ -40,6 +40,7 @@ class Stress {
   void resize(const Stage& stage);
   Result<void> changeLevel(const Stage& stage);
   void changeView(const Stage& stage);
+  void editLevel(const Stage& stage);
   void orderFault(const Stage& stage);
   /// Defaults with small maps, the first level, the first size: where memory is compared.
   Result<void> goHome(const Stage& stage);

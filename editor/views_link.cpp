@@ -38,6 +38,7 @@ std::vector<app::ViewRequest> RowLink::requests(const ResearchContext& context) 
   if (!open) return list;
   for (const ViewRole role : kRoles)
     if (const std::string name = context.viewOf(role); !name.empty()) list.push_back({name});
+  for (const app::ViewRequest& request : walk_.requests(context, rows())) list.push_back(request);
   return list;
 }
 
@@ -52,6 +53,7 @@ void RowLink::take(const ResearchContext& context, const std::vector<app::ViewPi
   find(ViewRole::kLightRayStart, starts_);
   find(ViewRole::kLightRayEnd, ends_);
   find(ViewRole::kRowDepths, depths_);
+  walk_.take(context, pictures);
   shot_ = shot;
 }
 
@@ -149,9 +151,17 @@ void RowLink::draw(ResearchContext& context) {
                          static_cast<double>(pinnedRay_->end.y), static_cast<double>(pinnedRay_->end.z));
     else
       ImGui::TextColored(kDimColor, "click a texel of a map of rows to see its light ray in the picture");
+    if (WalkView::offered(context)) {
+      if (ImGui::SmallButton("walk in the map")) walk_.open = !walk_.open;
+      context.workspace.place("walk");
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("How the technique finds what blocks the ray, level by level");
+    }
     if (!depths_.values.empty()) drawProfile(std::max(ImGui::GetContentRegionAvail().y, 60.0f));
   }
   ImGui::End();
+  std::optional<glm::vec3> end;
+  if (place_ && !stale(context)) end = glm::vec3(place_->share, place_->depth);
+  walk_.draw(context, rows(), end);
 }
 
 /// The depths of the first blockers along the row, and the ray's own depth over the columns that it passes: lit where

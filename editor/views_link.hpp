@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "research_context.hpp"
+#include "views_walk.hpp"
 
 namespace tyndall::editor {
 
@@ -49,6 +50,8 @@ class RowLink {
  private:
   std::optional<LightRay> rayAt(glm::vec2 share) const;
   void drawProfile(float height) const;
+  /// Slices and columns of the maps; 0 while they are not known.
+  glm::uvec2 rows() const { return {depths_.width, depths_.height}; }
 
   app::ViewPicture places_, starts_, ends_, depths_;
   Shot shot_;
@@ -56,6 +59,7 @@ class RowLink {
   std::optional<RowPlace> place_;
   std::optional<glm::vec2> pinned_;
   std::optional<LightRay> hoveredRay_, pinnedRay_;
+  WalkView walk_;
 };
 
 }  // namespace tyndall::editor

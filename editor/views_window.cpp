@@ -111,6 +111,15 @@ void ViewWindow::toolbar(Workspace& workspace) {
   rangeFields(workspace);
   ImGui::SameLine();
   canvas_.buttons(workspace, "view " + view_);
+  ImGui::SameLine(0, 2);
+  if (ImGui::SmallButton("EXR") && !picture_.values.empty()) {
+    workspace.writeViewName = view_;
+    workspace.writeView = [exr = app::exrOf(picture_)](const std::filesystem::path& path) {
+      return image::writeExr(path, exr);
+    };
+  }
+  workspace.place("view " + view_ + " exr");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Writes the numbers of this layer and mip into the captures' folder");
   partChoice(workspace);
 }
 

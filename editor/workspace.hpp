@@ -2,10 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include <imgui.h>
+
+#include "base/result.hpp"
 
 namespace tyndall::editor {
 
@@ -20,6 +25,10 @@ struct Workspace {
   std::string debugView;          ///< "" = the picture
   bool changed = true;            ///< the picture is out of date
   bool cameraReset = false;       ///< F, or its button
+  std::optional<std::uint32_t> cameraWanted;  ///< of the file's: looked through from now on
+  /// A viewer's numbers are to be written as they are now: name of the view, and how. Done by the editor, which knows the folder.
+  std::function<Result<void>(const std::filesystem::path&)> writeView;
+  std::string writeViewName;
   bool reloadPlugin = false, reloadShaders = false;
   std::string message;            ///< the newest, one line
   bool messageIsError = false;

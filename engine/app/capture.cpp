@@ -20,7 +20,7 @@ RenderOptions optionsOf(const Capture& capture) {
   options.level = capture.level, options.camera = capture.camera, options.pose = capture.pose;
   options.size = capture.size, options.seconds = capture.seconds, options.debugView = capture.debugView;
   options.picture = capture.picture, options.scatter = capture.scatter, options.depth = capture.depth,
-  options.stats = capture.stats;
+  options.stats = capture.stats, options.viewExr = capture.viewExr;
   return options;
 }
 
@@ -39,7 +39,7 @@ Result<void> capture(Session& session, const Capture& capture) {
   std::vector<std::string> notes = session.catalogue().warnings();
   for (const auto* more : {&session.level()->warnings, &session.level()->notes, &session.renderer().notes()})
     notes.insert(notes.end(), more->begin(), more->end());
-  return writeRenderFiles(outputs, run->readback, statsJson(options, session, *run, notes));
+  return writeRenderFiles(outputs, *run, statsJson(options, session, *run, notes));
 }
 
 std::vector<std::string> captureWords(Session& session, const Capture& capture) {
@@ -54,7 +54,7 @@ std::vector<std::string> captureWords(Session& session, const Capture& capture) 
   for (const params::Parameter& parameter : session.table().parameters())
     if (session.table().changed(parameter.id))
       add("--set", parameter.id + "=" + params::toText(parameter, session.table().value(parameter.id)));
-  add("--debug-view", capture.debugView);
+  add("--debug-view", capture.debugView), add("--view-exr", capture.viewExr);
   add("--device", session.device().info().name);
   // Another folder than the program's own, whether an option or the environment named it.
   const std::filesystem::path plugins = pluginFolder(capture.pluginFolder);

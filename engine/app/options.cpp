@@ -19,7 +19,7 @@ namespace {
 /// Options as the text they were given as.
 struct Given {
   std::string level, camera = "0", size = "1280x720", frames = "1", seconds = "0", samples = "1024";
-  std::string pose, preset, plugins, out, scatter, depth, stats, debugView, device;
+  std::string pose, preset, plugins, out, scatter, depth, stats, debugView, viewExr, device;
   std::vector<std::string> assignments;
   bool validate = false, json = false;
   std::vector<std::string> levels, compare;
@@ -58,6 +58,7 @@ void addRender(CLI::App& command, Given& given) {
   command.add_option("--depth", given.depth, "distance along each pixel's ray in metres; 32-bit float")->type_name("FILE.exr");
   command.add_option("--stats", given.stats, "times, memory, settings")->type_name("FILE.json");
   command.add_option("--debug-view", given.debugView, "shows a view of the insides instead of the picture (see: tyndall describe)")->type_name("NAME");
+  command.add_option("--view-exr", given.viewExr, "the numbers of the debug view's own image, as a shader reads them; 32-bit float")->type_name("FILE.exr");
   command.add_option("--device", given.device, "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")->type_name("TEXT");
   command.add_flag("--validate", given.validate, "validation layer with synchronization validation; any message makes the exit status 1");
 }
@@ -159,6 +160,9 @@ Result<Options> readRender(const Given& given) {
   options.frames = *frames;
   options.picture = given.out, options.scatter = given.scatter, options.depth = given.depth, options.stats = given.stats;
   options.debugView = given.debugView, options.device = given.device, options.validate = given.validate;
+  options.viewExr = given.viewExr;
+  if (!options.viewExr.empty() && options.debugView.empty())
+    return badCall("--view-exr: of no view; --debug-view NAME says which (see: tyndall describe)");
   return Options(std::move(options));
 }
 

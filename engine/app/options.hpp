@@ -32,6 +32,7 @@ struct RenderOptions {
   SettingsOptions settings;
   std::string picture, scatter, depth, stats;  ///< output files; "" = not asked for
   std::string debugView, device;
+  std::string viewExr;                          ///< output file of the debug view's own numbers; needs debugView
   bool validate = false;
 };
 

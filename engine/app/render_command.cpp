@@ -42,7 +42,7 @@ Result<void> runRender(const RenderOptions& options) {
 
   std::vector<std::string> told = warnings;
   told.insert(told.end(), notes.begin(), notes.end());
-  if (auto written = writeRenderFiles(outputs, run->readback, statsJson(options, session, *run, told)); !written) return written;
+  if (auto written = writeRenderFiles(outputs, *run, statsJson(options, session, *run, told)); !written) return written;
   tell(warnings, notes);
   std::string text = statsTable(options, session, *run);
   for (const std::filesystem::path& file : outputs.paths()) text += file.string() + "\n";

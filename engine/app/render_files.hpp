@@ -5,14 +5,14 @@
 #include <string>
 
 #include "app/outputs.hpp"
-#include "app/readback.hpp"
 #include "options.hpp"
+#include "render_run.hpp"
 
 namespace tyndall::app {
 
 /// Registers what the options ask for; nothing that the call reads may be replaced.
 Result<void> addRenderFiles(Outputs& outputs, const RenderOptions& options, const std::filesystem::path& level);
 /// All of them or none.
-Result<void> writeRenderFiles(Outputs& outputs, const Readback& readback, const std::string& stats);
+Result<void> writeRenderFiles(Outputs& outputs, const RenderRun& run, const std::string& stats);
 
 }  // namespace tyndall::app

@@ -15,13 +15,18 @@ constexpr std::uint32_t kMaxWarmUpFrames = 64;
 // The host gives each variant this many frames: a tunable that stood for as long has been decided.
 constexpr std::uint32_t kFramesPerVariant = 4;
 
-Result<void> oneFrame(Session& session, const FrameRequest& request, const ReadbackWants& wants, Readback& readback) {
+Result<void> oneFrame(Session& session, const FrameRequest& request, const ReadbackWants& wants, RenderRun& run) {
   render::Graph graph(session.device(), session.graphMemory());
   auto output = session.buildFrame(graph, request);
   if (!output) return output.error();
-  if (auto added = readback.addPasses(session, graph, *output, request, wants); !added) return added;
+  std::vector<ViewRequest> views;
+  for (const std::string& name : request.views) views.push_back({name});
+  // A frame that was begun has to be submitted, also when its results cannot be read.
+  auto added = run.readback.addPasses(session, graph, *output, request, wants);
+  if (added && !views.empty()) added = run.views.addPasses(session, graph, *output, views);
   if (auto submitted = session.submitFrame(graph); !submitted) return submitted;
-  return session.finishFrames();
+  if (auto finished = session.finishFrames(); !finished) return finished;
+  return added;
 }
 
 Result<void> unknownView(const Session& session, const std::string& name) {
@@ -46,12 +51,13 @@ Result<RenderRun> renderFrames(Session& session, const RenderOptions& options, c
   std::vector<std::pair<std::string, std::string>> resolved;
   std::uint32_t unchanged = 0;
   for (std::uint32_t frame = 0; frame < kMaxWarmUpFrames; ++frame) {
-    if (auto done = oneFrame(session, request, wants, run.readback); !done) return done.error();
+    if (auto done = oneFrame(session, request, wants, run); !done) return done.error();
     if (session.effect().failure()) return *session.effect().failure();
     if (frame == 0 && !options.debugView.empty()) {
       // The effect's views are known once it has a layout.
       if (auto known = unknownView(session, options.debugView); !known) return known.error();
       request.debugView = options.debugView;
+      if (!options.viewExr.empty()) request.views = {options.debugView};
     }
     const auto now = session.effect().resolved();
     unchanged = now == resolved ? unchanged + 1 : 0;
@@ -60,7 +66,7 @@ Result<RenderRun> renderFrames(Session& session, const RenderOptions& options, c
   }
   std::vector<std::vector<render::PassTime>> frames;
   for (std::uint32_t frame = 0; frame < options.frames; ++frame) {
-    if (auto done = oneFrame(session, request, wants, run.readback); !done) return done.error();
+    if (auto done = oneFrame(session, request, wants, run); !done) return done.error();
     std::vector<render::PassTime> passes = session.lastPassTimes();
     std::erase_if(passes, [](const render::PassTime& pass) { return pass.owner == Readback::kOwner; });
     frames.push_back(std::move(passes));

@@ -6,6 +6,7 @@
 
 #include "app/readback.hpp"
 #include "app/session.hpp"
+#include "app/view_readback.hpp"
 #include "options.hpp"
 
 namespace tyndall::app {
@@ -15,6 +16,7 @@ struct RenderRun {
   std::uint64_t effectBytes = 0, transientBytes = 0, deviceBytes = 0;
   std::uint32_t validationMessages = 0;
   Readback readback;                      ///< of the last frame
+  ViewReadback views;                     ///< the debug view's numbers, where options.viewExr asks for them
 };
 
 /// Renders the warm-up and then options.frames frames of the session's level.

@@ -13,6 +13,16 @@ constexpr std::uint32_t kShowsRgb = 4, kShowsNormal = 5;  // DebugImage::channel
 
 }  // namespace
 
+image::FloatImage exrOf(const ViewPicture& picture) {
+  const std::uint32_t channels = picture.channels == 2 ? 3 : picture.channels;
+  image::FloatImage result{picture.width, picture.height, channels, {}};
+  result.values.reserve(std::size_t{picture.width} * picture.height * channels);
+  for (std::size_t i = 0; i < picture.values.size(); i += picture.channels)
+    for (std::uint32_t c = 0; c < channels; ++c)
+      result.values.push_back(c < picture.channels ? picture.values[i + c] : 0.0f);
+  return result;
+}
+
 Result<void> ViewReadback::addPasses(Session& session, render::Graph& graph, const render::FrameOutput& output,
                                      const std::vector<ViewRequest>& wanted) {
   TY_ASSERT(output.views.size() == wanted.size(), "the frame offers " + std::to_string(output.views.size()) +

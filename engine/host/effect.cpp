@@ -15,6 +15,9 @@ render::ViewRole roleOf(std::uint32_t role) {
     case TY_VIEW_LIGHT_RAY_START: return render::ViewRole::kLightRayStart;
     case TY_VIEW_LIGHT_RAY_END: return render::ViewRole::kLightRayEnd;
     case TY_VIEW_REFERENCE: return render::ViewRole::kReference;
+    case TY_VIEW_WALK_RANKS: return render::ViewRole::kWalkRanks;
+    case TY_VIEW_WALK_LEVEL: return render::ViewRole::kWalkLevel;
+    case TY_VIEW_WALK_LEVEL_ACROSS: return render::ViewRole::kWalkLevelAcross;
     default: return render::ViewRole::kPlain;
   }
 }

@@ -27,10 +27,9 @@ void bindFrame(gpu::Descriptors& d, const FrameData& frame) {
       .storageBuffer(1, frame.instanceBlocks.buffer, frame.instanceBlocks.offset, frame.instanceBlocks.size);
 }
 
-void bindMaterialBlock(gpu::Descriptors& d, std::uint32_t binding, const SceneResources& resources,
-                       std::uint32_t material) {
-  d.uniformBuffer(binding, resources.materialBlocks.handle(), material * kMaterialStride,
-                  sizeof(shared::MaterialBlock));
+void bindMaterialBlock(gpu::Descriptors& d, std::uint32_t binding, const FrameData& frame, std::uint32_t material) {
+  const BlockRange& all = frame.materialBlocks;
+  d.uniformBuffer(binding, all.buffer, all.offset + material * kMaterialStride, sizeof(shared::MaterialBlock));
 }
 
 void bindMaps(gpu::Descriptors& d, const MaterialBindings& m) {
@@ -78,7 +77,7 @@ void recordShaded(PassContext& context, const FrameData& frame, const std::vecto
         if (bindMore) bindMore(*bound);
       }
       material = draw.range.material;
-      bindMaterialBlock(descriptors, 2, *frame.resources, material);
+      bindMaterialBlock(descriptors, 2, frame, material);
       bindMaps(descriptors, frame.resources->materials[material]);
       descriptors.push();
     }
@@ -116,7 +115,7 @@ void recordCasters(PassContext& context, const FrameData& frame, const CasterPip
       material = draw.range.material;
       const TextureBinding& alpha = frame.resources->materials[material].alpha;
       gpu::Descriptors descriptors(commands, *pipeline);
-      bindMaterialBlock(descriptors, 1, *frame.resources, material);
+      bindMaterialBlock(descriptors, 1, frame, material);
       descriptors.sampled(2, alpha.view, alpha.sampler).push();
     }
     drawOne(commands, draw);

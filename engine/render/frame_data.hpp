@@ -51,7 +51,8 @@ struct FrameData {
   ShadowMaps surfaceMaps = ShadowMaps::kDepths;  ///< what surfaces read
   std::vector<ShadowedLight> shadowedLights;     ///< in file order, for effects
   std::shared_ptr<const SceneResources> resources;
-  BlockRange viewBlock, lightBlocks, instanceBlocks;
+  BlockRange viewBlock, lightBlocks, instanceBlocks, materialBlocks;
+  std::uint64_t materialsHash = 0;    ///< of the contents of materialBlocks
   bool cookies = false;               ///< some light has one
   ImageRef cookieArray, noCookie;     ///< resources->cookies and a white texel, for effects; empty without an effect
 

@@ -120,14 +120,20 @@ Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) 
   std::vector<shared::LightBlock> lightBlocks = frame->plan.blocks;
   lightBlocks.resize((lightBlocks.size() / kShadowSlots + 1) * kShadowSlots);
   const auto& instances = frame->draws.instances;
+  TY_ASSERT(input.scene.materials.size() + 1 == resources->materials.size(),
+            "the scene is not the one given to setScene: " + std::to_string(input.scene.materials.size()) + " materials");
+  const std::vector<std::byte> materials = materialBlocks(input.scene);
   Result<std::vector<BlockRange>> ranges =
       blocks.write({{&view, sizeof(view)},
                     {lightBlocks.data(), lightBlocks.size() * sizeof(lightBlocks[0])},
-                    {instances.data(), instances.size() * sizeof(instances[0])}});
+                    {instances.data(), instances.size() * sizeof(instances[0])},
+                    {materials.data(), materials.size()}});
   if (!ranges) return ranges.error();
   frame->viewBlock = (*ranges)[0];
   frame->lightBlocks = (*ranges)[1];
   frame->instanceBlocks = (*ranges)[2];
+  frame->materialBlocks = (*ranges)[3];
+  frame->materialsHash = bytesHash(materials);
   return frame;
 }
 

@@ -125,19 +125,26 @@ Result<void> uploadGeometry(gpu::Device& device, const scene::Scene& scene, Scen
 
 }  // namespace
 
+std::vector<std::byte> materialBlocks(const scene::Scene& scene) {
+  std::vector<std::byte> blocks((scene.materials.size() + 1) * kMaterialStride);
+  const auto put = [&](std::size_t i, const scene::Material& material) {
+    const shared::MaterialBlock block = materialBlock(material);
+    std::memcpy(blocks.data() + i * kMaterialStride, &block, sizeof(block));
+  };
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) put(i, scene.materials[i]);
+  put(scene.materials.size(), scene::Material{});
+  return blocks;
+}
+
 Result<std::shared_ptr<const SceneResources>> uploadScene(gpu::Device& device, const scene::Scene& scene) {
   auto resources = std::make_shared<SceneResources>();
   if (Result<void> done = uploadGeometry(device, scene, *resources); !done) return done.error();
 
   TextureUploader textures(device, scene);
-  std::vector<std::byte> blocks;
   const auto add = [&](const scene::Material& material) -> Result<void> {
     Result<MaterialBindings> bound = bindMaterial(textures, material);
     if (!bound) return bound.error();
     resources->materials.push_back(*bound);
-    const shared::MaterialBlock block = materialBlock(material);
-    blocks.resize(blocks.size() + kMaterialStride);
-    std::memcpy(blocks.data() + blocks.size() - kMaterialStride, &block, sizeof(block));
     return {};
   };
   for (const scene::Material& material : scene.materials) {
@@ -148,10 +155,6 @@ Result<std::shared_ptr<const SceneResources>> uploadScene(gpu::Device& device, c
   Result<Cookies> cookies = uploadCookies(device, scene);
   if (!cookies) return cookies.error();
   resources->cookies = cookies.take();
-
-  Result<gpu::Buffer> made = uploadBuffer(device, "materials", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, blocks);
-  if (!made) return made.error();
-  resources->materialBlocks = made.take();
   return std::shared_ptr<const SceneResources>(std::move(resources));
 }
 

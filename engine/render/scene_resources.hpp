@@ -1,6 +1,7 @@
-// A level on the GPU: one vertex buffer, one index buffer, materials, textures.
+// A level on the GPU: one vertex buffer, one index buffer, textures, and what binds a material's.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -38,12 +39,15 @@ inline constexpr VkDeviceSize kMaterialStride = 256;
 
 struct SceneResources {
   gpu::Buffer vertices, indices;
-  gpu::Buffer materialBlocks;  ///< one shared::MaterialBlock every kMaterialStride bytes
   std::vector<gpu::Image> images;
   Cookies cookies;
   std::vector<std::vector<DrawRange>> meshes;  ///< by mesh, then by primitive
   std::vector<MaterialBindings> materials;     ///< one more than the scene's: the last is glTF's default material
 };
+
+/// One shared::MaterialBlock every kMaterialStride bytes, in the order of SceneResources::materials. They are a frame's, not the
+/// level's: the numbers of materials may change from one frame to the next.
+std::vector<std::byte> materialBlocks(const scene::Scene& scene);
 
 /// Errors: lack of memory, an image larger than the device takes.
 Result<std::shared_ptr<const SceneResources>> uploadScene(gpu::Device& device, const scene::Scene& scene);

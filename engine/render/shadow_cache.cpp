@@ -24,6 +24,12 @@ class Hash {
 
 }  // namespace
 
+std::uint64_t bytesHash(std::span<const std::byte> bytes) {
+  Hash hash;
+  for (const std::byte byte : bytes) hash.add(byte);
+  return hash.value();
+}
+
 std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit) {
   // The order of draws follows the camera and is not a part of it.
   std::uint64_t casters = 0;
@@ -31,7 +37,7 @@ std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit) {
     casters += Hash().add(draw.range.firstIndex).add(draw.range.indexCount).add(draw.range.vertexOffset).add(draw.range.material)
                    .add(frame.draws.instances[draw.instance].worldFromObject).value();
   Hash hash;
-  hash.add(casters).add(frame.resources.get()).add(fit.useful).add(fit.faceCount);
+  hash.add(casters).add(frame.materialsHash).add(frame.resources.get()).add(fit.useful).add(fit.faceCount);
   for (std::uint32_t face = 0; face < fit.faceCount; ++face) hash.add(fit.clipFromWorld[face]);
   return hash.value();
 }

@@ -72,6 +72,7 @@ TEST_F(BadCall, NotBuiltYetIsSaidByName) {
   expectRefused({"render", "hall", "--preset", "fsat"}, 2, {"--preset", "fsat", "'fast'"});
 }
 
+TEST_F(BadCall, NumbersOfNoView) { expectRefused({"render", "hall", "--size", "64x36", "--view-exr", "a.exr"}, 2, {"--view-exr", "--debug-view"}); }
 TEST_F(BadCall, DebugView) { expectRefused({"render", "hall", "--size", "64x36", "--debug-view", "norml", "--out", "a.png"}, 2, {"--debug-view", "norml", "'normal'"}); }
 
 TEST_F(BadCall, OutputNames) {

@@ -174,6 +174,25 @@ TEST_F(Render, DebugViewsOfEngineAndPlugin) {
   }
 }
 
+TEST_F(Render, TheNumbersOfAViewAreThoseOfItsImage) {
+  const Outcome outcome = tyndall(with(kSmall, {"--debug-view", "scatter", "--view-exr", "v.exr", "--scatter", "s.exr"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  auto view = image::readExr(folder_ / "v.exr"), scatter = image::readExr(folder_ / "s.exr");
+  ASSERT_TRUE(view && scatter);
+  EXPECT_EQ(view->values, scatter->values);
+  // Two channels: a third of zeros, as an EXR of two has no names for them. Of a map's own size.
+  const Outcome map = tyndall(with(kSmall, {"--set", "volumetrics.technique=exact", "--set", "volumetrics.columns=64", "--set",
+                                            "volumetrics.slices=128", "--debug-view", "prefix_min", "--view-exr", "m.exr"}));
+  ASSERT_EQ(map.status, 0) << map.err;
+  auto bounds = image::readExr(folder_ / "m.exr");
+  ASSERT_TRUE(bounds);
+  EXPECT_EQ(bounds->width, 128u);
+  EXPECT_EQ(bounds->height, 64u);
+  EXPECT_EQ(bounds->channels, 3u);
+  for (std::uint32_t x = 0; x < bounds->width; ++x)
+    for (std::uint32_t y = 1; y < bounds->height; ++y) ASSERT_LE(bounds->at(x, y, 0), bounds->at(x, y - 1, 0));  // a prefix minimum falls
+}
+
 TEST_F(Render, ALevelWithoutCameraAndLightSaysSo) {
   // One triangle; the buffer is three positions.
   writeText(folder_ / "bare.gltf",

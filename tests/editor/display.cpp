@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -88,7 +89,7 @@ void EditorTest::SetUp() {
   // The server chooses a free display and tells its number through the pipe.
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
-  server_.start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1400x900x24", "-nolisten", "tcp"}, "", folder_ / "xvfb.err", ends[1]);
+  server_.start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1400x900x24", "-fbdir", folder_.string(), "-nolisten", "tcp"}, "", folder_ / "xvfb.err", ends[1]);
   close(ends[1]);
   std::string number;
   pollfd ready{ends[0], POLLIN, 0};
@@ -140,6 +141,25 @@ void EditorTest::waitFrames(int count) {
   waitFor([=](const auto& s) { return s["frames"] >= now + count; }, 20);
 }
 
+void EditorTest::move(double x, double y) {
+  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", std::to_string(static_cast<int>(x)), std::to_string(static_cast<int>(y))});
+  waitFrames(2);
+}
+
+void EditorTest::pull(const std::string& widget, double right, double down) {
+  const nlohmann::json now = state();
+  ASSERT_TRUE(now["widgets"].contains(widget)) << widget << " is not in the window";
+  const auto rect = now["widgets"][widget].get<std::vector<double>>();
+  // From a whole point, so that the way is just as far as asked for.
+  const double x = std::round(rect[0] + rect[2] / 2), y = std::round(rect[1] + rect[3] / 2);
+  move(x, y);
+  input({"mousedown", "1"});
+  waitFrames(2);
+  for (int i = 1; i <= 3; ++i) move(x + std::round(right * i / 3), y + std::round(down * i / 3));
+  input({"mouseup", "1"});
+  waitFrames(3);
+}
+
 void EditorTest::drag(const std::string& widget, double from, double to) {
   const nlohmann::json now = state();
   ASSERT_TRUE(now["widgets"].contains(widget)) << widget << " is not in the window";
@@ -165,8 +185,7 @@ void EditorTest::keys(const std::vector<std::string>& names) {
 }
 
 void EditorTest::clickAt(double x, double y) {
-  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", std::to_string(static_cast<int>(x)), std::to_string(static_cast<int>(y))});
-  waitFrames(2);
+  move(x, y);
   input({"mousedown", "1"});
   waitFrames(2);
   input({"mouseup", "1"});

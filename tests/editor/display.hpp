@@ -31,7 +31,8 @@ class Process {
 
 bool haveProgram(const std::string& name);
 
-/// A folder and an X server of its own. Skips where Xvfb is not installed.
+/// A folder and an X server of its own, whose screen is the file Xvfb_screen0 in the folder (see screen.hpp). Skips where Xvfb is
+/// not installed.
 class EditorTest : public ::testing::Test {
  protected:
   void SetUp() override;
@@ -50,9 +51,12 @@ class EditorTest : public ::testing::Test {
   /// Moves the mouse into the widget and clicks, each long enough to be seen by a slow frame.
   void click(const std::string& widget);
   void clickAt(double x, double y);
+  void move(double x, double y);
   void focus();
   /// Presses the mouse at one share of the widget's width, moves in several steps, and lets go at another.
   void drag(const std::string& widget, double from, double to);
+  /// Presses the mouse in the middle of the widget and lets go so many points away.
+  void pull(const std::string& widget, double right, double down);
   /// Holds the keys together, long enough for a slow frame.
   void keys(const std::vector<std::string>& names);
   void waitFrames(int count);

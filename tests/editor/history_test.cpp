@@ -26,25 +26,26 @@ params::Table makeTable() {
   return table;
 }
 
-/// The editor without its window: a table, a camera, lights.
+/// The editor without its window: a table, a camera, a level.
 struct Hand {
   params::Table table = makeTable();
   std::optional<app::Pose> pose;
-  LightEdits lights;
+  std::uint32_t camera = 0;
+  SceneEdits scene;
   History history;
-  EditState now() const { return {settingsOf(table), pose, lights}; }
+  EditState now() const { return {settingsOf(table), pose, camera, scene}; }
   bool observe(bool busy = false) { return history.observe(table, now(), busy); }
   void restore(const EditState* state) {
     ASSERT_NE(state, nullptr);
     EXPECT_TRUE(applySettings(table, state->settings).empty());
-    pose = state->pose, lights = state->lights;
+    pose = state->pose, camera = state->camera, scene = state->scene;
   }
 };
 
 void edit(Hand& hand, std::mt19937& random) {
   const auto unit = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
   const auto below = [&](int count) { return std::uniform_int_distribution<int>(0, count - 1)(random); };
-  switch (below(8)) {
+  switch (below(11)) {
     case 0:
     case 1: ASSERT_TRUE(hand.table.set("a.float", -10 + 20 * unit())); break;
     case 2: ASSERT_TRUE(hand.table.set("a.int", 1 + below(4096))); break;
@@ -55,7 +56,10 @@ void edit(Hand& hand, std::mt19937& random) {
                       ? std::optional(app::Pose{{float(unit()), float(unit()), float(unit())}, float(unit() * 90), 3})
                       : std::nullopt;
       break;
-    case 6: hand.lights[below(3)].intensity = float(unit()); break;
+    case 6: hand.scene.lights[below(3)].intensity = float(unit()); break;
+    case 7: hand.scene.nodes[below(3)].translation.y = float(unit()); break;
+    case 8: hand.scene.materials[below(3)].roughness = float(unit()); break;
+    case 9: hand.camera = static_cast<std::uint32_t>(below(3)); break;
     default:
       below(2) ? hand.table.resetToDefaults()
                : (void)hand.table.readPreset(R"({"a.int": 7, "a.choice": "one"})", "preset");

@@ -1,30 +1,19 @@
 // Real keys and clicks change what they say they do.
 #include <cmath>
 
-#include "display.hpp"
+#include <glm/glm.hpp>
+
+#include "session.hpp"
 
 namespace tyndall::editor_test {
 namespace {
 
-using Json = nlohmann::json;
-
-/// Small and cheap, so that a frame takes a fraction of a second on a slow machine.
-const std::vector<std::string> kSmall = {"hall", "--size", "640x400", "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64", "--set", "shadows.resolution=256"};
-
-class InputTest : public EditorTest {
+class InputTest : public SessionTest {
  protected:
   void SetUp() override {
-    EditorTest::SetUp();
+    SessionTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
-    ASSERT_TRUE(haveProgram("xdotool"));
-    startEditor(kSmall);
-    ASSERT_FALSE(waitFor([](const Json& s) { return s["frames"] >= 4; }).is_null()) << errors();
-    focus();
-  }
-  /// Ctrl+Q is the way out.
-  void quit() {
-    input({"keydown", "ctrl", "keydown", "q", "sleep", "1", "keyup", "q", "keyup", "ctrl"});
-    EXPECT_EQ(waitEditor(60), 0) << errors();
+    startTiny("640x400");
   }
 };
 
@@ -65,6 +54,27 @@ TEST_F(InputTest, ARightDragTurnsByItsLengthAndMovesNowhere) {
   EXPECT_NEAR(yaw(after) - yaw(before), 50 * 0.004, 1e-3);  // radians: 50 pixels to the right turn right
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(after["camera"]["position"][i].get<double>(), before["camera"]["position"][i].get<double>(), 1e-4);
+  quit();
+}
+
+TEST_F(InputTest, AMiddleDragGoesRoundTheLevelsMiddle) {
+  const glm::dvec3 middle(0, 0.75, 0);  // of tiny_level.cpp's boxes
+  const auto eye = [](const Json& s) {
+    return glm::dvec3(s["camera"]["position"][0].get<double>(), s["camera"]["position"][1].get<double>(), s["camera"]["position"][2].get<double>());
+  };
+  const auto yaw = [](const Json& s) { return std::atan2(s["camera"]["forward"][0].get<double>(), -s["camera"]["forward"][2].get<double>()); };
+  const Json before = state();
+  move(100, 200);
+  input({"mousedown", "2"});
+  waitFrames(3);
+  move(150, 190);
+  waitFrames(2);
+  input({"mouseup", "2"});
+  ASSERT_TRUE(stepIs(1));
+  const Json after = state();
+  EXPECT_NEAR(yaw(after) - yaw(before), 50 * 0.004, 1e-3);  // radians
+  EXPECT_NEAR(glm::distance(eye(after), middle), glm::distance(eye(before), middle), 1e-3);
+  EXPECT_GT(glm::distance(eye(after), eye(before)), 1);
   quit();
 }
 

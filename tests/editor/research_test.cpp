@@ -1,77 +1,8 @@
 // The research panels: what they show is what the command line computes of the same view.
-#include <cmath>
-#include <cstdio>
-#include <sstream>
-
-#include "display.hpp"
-#include "image/image_io.hpp"
-#include "image/metrics.hpp"
+#include "research.hpp"
 
 namespace tyndall::editor_test {
 namespace {
-
-using Json = nlohmann::json;
-
-const std::vector<std::string> kSettings = {"--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64",
-                                            "--set", "shadows.resolution=256"};
-
-std::vector<double> numbers(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<double> list;
-  for (double value; stream >> value;) list.push_back(value);
-  return list;
-}
-
-std::string fact(const Json& state, const std::string& name) {
-  return state.contains("facts") && state["facts"].contains(name) ? state["facts"][name].get<std::string>() : "";
-}
-
-class ResearchTest : public EditorTest {
- protected:
-  void SetUp() override {
-    EditorTest::SetUp();
-    if (IsSkipped() || HasFatalFailure()) return;
-    ASSERT_TRUE(haveProgram("xdotool"));
-    std::vector<std::string> arguments = {"hall", "--size", "600x240"};
-    arguments.insert(arguments.end(), kSettings.begin(), kSettings.end());
-    startEditor(arguments);
-    const Json started = waitFor([](const Json& s) { return s["frames"] >= 4; });
-    ASSERT_FALSE(started.is_null()) << errors();
-    focus();
-    viewport_ = started["widgets"]["viewport"].get<std::vector<double>>();
-    size_ = std::to_string(static_cast<int>(viewport_[2])) + "x" + std::to_string(static_cast<int>(viewport_[3]));
-  }
-  void quit() {
-    input({"keydown", "ctrl", "keydown", "q", "sleep", "1", "keyup", "q", "keyup", "ctrl"});
-    EXPECT_EQ(waitEditor(60), 0) << errors();
-  }
-  /// The program `tyndall` on the view that the window shows.
-  void commandLine(const std::string& command, const std::vector<std::string>& options) {
-    std::vector<std::string> words = {std::string(TYNDALL_BIN_DIR) + "/tyndall", command, "hall", "--size", size_};
-    words.insert(words.end(), kSettings.begin(), kSettings.end());
-    words.insert(words.end(), options.begin(), options.end());
-    Process program;
-    program.start(words, "", folder_ / "tyndall.err");
-    ASSERT_EQ(program.wait(120), 0);
-  }
-  image::FloatImage exr(const std::string& name) const {
-    auto picture = image::readExr(folder_ / name);
-    EXPECT_TRUE(picture) << picture.error().message;
-    return picture ? picture.take() : image::FloatImage{};
-  }
-  void moveTo(double x, double y) {
-    input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", std::to_string(static_cast<int>(x)),
-           std::to_string(static_cast<int>(y))});
-    const int now = state()["frames"];
-    waitFor([=](const Json& s) { return s["frames"] >= now + 3; }, 30);
-  }
-  Json waitForFact(const std::string& name, const std::string& value, double seconds = 90) {
-    return waitFor([&](const Json& s) { return fact(s, name) == value; }, seconds);
-  }
-
-  std::vector<double> viewport_;
-  std::string size_;
-};
 
 TEST_F(ResearchTest, AViewerReadsOutTheNumbersAndZoomsAboutTheCursor) {
   click("views");
@@ -102,6 +33,16 @@ TEST_F(ResearchTest, AViewerReadsOutTheNumbersAndZoomsAboutTheCursor) {
                     scatter.at(static_cast<std::uint32_t>(read[0]), static_cast<std::uint32_t>(read[1]), c))
         << c;
 
+  // The viewer's own numbers, from its button.
+  click("view scatter exr");
+  ASSERT_FALSE(
+      waitFor([](const Json& s) { return s["message"].get<std::string>().starts_with("wrote "); }, 20).is_null());
+  const std::string written = state()["message"].get<std::string>().substr(6);
+  auto saved = image::readExr(written);
+  std::filesystem::remove(written);
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(saved->values, scatter.values);
+
   // The same pixel of the picture lies in the slice that the command line's debug view shows.
   click("rows");
   moveTo(300, 42);  // between the bar and the windows
@@ -115,10 +56,24 @@ TEST_F(ResearchTest, AViewerReadsOutTheNumbersAndZoomsAboutTheCursor) {
   ASSERT_TRUE(slices) << slices.error().message;
   const auto pixel = static_cast<std::size_t>(place[1]) * slices->width + static_cast<std::size_t>(place[0]);
   EXPECT_NEAR(place[2] * 255, slices->values[pixel * slices->channels], 1);
+
+  // The walk of the same pixel: as many blockers as a row of 64 columns can have, and a share of the weight.
+  ASSERT_TRUE(linked["widgets"].contains("walk"));
+  click("walk");
+  moveTo(300, 42);
+  const Json walked = waitFor([](const Json& s) { return !fact(s, "walk").empty(); });
+  ASSERT_FALSE(walked.is_null()) << state().dump();
+  const auto walk = numbers(fact(walked, "walk"));
+  ASSERT_EQ(walk.size(), 7u);
+  EXPECT_EQ(walk[0], std::floor(place[2] * 64));
+  EXPECT_EQ(walk[1], std::floor(place[3] * 64));
+  EXPECT_LE(walk[3], walk[1]);
+  EXPECT_GE(walk[5], 0);
+  EXPECT_LE(walk[5], 1.0001);
   quit();
 }
 
-TEST_F(ResearchTest, ReferenceAndPlotAgreeWithTheCommandLine) {
+TEST_F(ResearchTest, TheReferenceAgreesWithTheCommandLine) {
   click("reference");
   ASSERT_FALSE(waitFor([](const Json& s) { return s["widgets"].contains("reference start"); }, 30).is_null());
 
@@ -160,27 +115,6 @@ TEST_F(ResearchTest, ReferenceAndPlotAgreeWithTheCommandLine) {
   EXPECT_NEAR(shown[2], computed->nRmse, 1e-6);
   EXPECT_NEAR(shown[3], computed->p99, 1e-6);
   EXPECT_NEAR(shown[4], computed->max, 1e-5);
-
-  click("plot");
-  ASSERT_FALSE(waitFor([](const Json& s) { return s["widgets"].contains("plot measure"); }, 30).is_null());
-  click("plot measure");
-  ASSERT_FALSE(waitForFact("plot state", "measuring", 30).is_null());
-  const Json plotted = waitForFact("plot state", "idle", 200);
-  ASSERT_FALSE(plotted.is_null()) << state().dump();
-  std::istringstream entries(fact(plotted, "plot"));
-  std::size_t count = 0;
-  double own = 0;
-  for (std::string entry; std::getline(entries, entry, ';'); ++count) {
-    std::istringstream words(entry);
-    std::string name;
-    double milliseconds = 0, error = 0;
-    words >> name >> milliseconds >> error;
-    EXPECT_GT(milliseconds, 0) << entry;
-    EXPECT_GT(error, 0) << entry;
-    if (name == plotted["settings"]["volumetrics.technique"]) own = error;
-  }
-  EXPECT_GE(count, 6u) << fact(plotted, "plot");
-  EXPECT_NEAR(own, computed->nRmse, 1e-6);  // the technique in use, with its settings
   quit();
 }
 

@@ -1,82 +1,23 @@
-// One session at the window, as a user has it: each step is checked by what the editor says of itself and by pixels.
-#include <cstdlib>
+// Longer sessions at the window (label sweep): presets saved and compared, captures made again, lights in another
+// level.
 #include <fstream>
 
-#include "display.hpp"
-#include "image/image_io.hpp"
+#include "session.hpp"
 
 namespace tyndall::editor_test {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 /// The first light in the list; "" while there is none.
-std::string lightOf(const Json& state) {
+std::string lightOf(const nlohmann::json& state) {
   for (const auto& [name, place] : state["widgets"].items())
     if (name.starts_with("light at ")) return name;
   return "";
 }
 
-class SessionTest : public EditorTest {
- protected:
-  void start(std::vector<std::string> more = {}) {
-    ASSERT_TRUE(haveProgram("xdotool"));
-    std::vector<std::string> call{"hall",
-                                  "--size",
-                                  "960x640",
-                                  "--set",
-                                  "volumetrics.columns=64",
-                                  "--set",
-                                  "volumetrics.slices=64",
-                                  "--set",
-                                  "shadows.resolution=256",
-                                  "--screenshot",
-                                  (folder_ / "window.png").string()};
-    call.insert(call.end(), more.begin(), more.end());
-    startEditor(call);
-    ASSERT_FALSE(waitFor([](const Json& s) { return s["frames"] >= 4; }).is_null()) << errors();
-    focus();
-  }
-  std::string setting(const char* id) const { return state()["settings"][id]; }
-  bool becomes(const char* id, const std::string& value) {
-    return !waitFor([&](const Json& s) { return s["settings"][id] == value; }, 20).is_null();
-  }
-  std::string readAll(const fs::path& path) const {
-    auto bytes = image::readPng(path);
-    return bytes ? std::string(bytes->values.begin(), bytes->values.end()) : "unreadable: " + bytes.error().message;
-  }
-  /// Captures what is on screen and gives the command.
-  std::string capture() {
-    const std::string before = state()["facts"].value("capture.command", "");
-    click("capture");
-    const Json done = waitFor([&](const Json& s) { return s["facts"].value("capture.command", before) != before; }, 60);
-    return done.is_null() ? "" : done["facts"]["capture.command"].get<std::string>();
-  }
-  /// Runs a captured command with another file for its picture.
-  /// Types a path into the file window that `key` opens.
-  void choose(const char* key, const fs::path& file) {
-    keys({"ctrl", key});
-    ASSERT_FALSE(waitFor([](const Json& s) { return s["widgets"].contains("file name"); }, 20).is_null());
-    input({"type", "--delay", "60", file.string()});
-    waitFrames(3);
-    keys({"Return"});
-  }
-  int rerun(std::string command, const fs::path& captured, const fs::path& again) {
-    const std::size_t at = command.find(captured.string());
-    if (command.rfind("tyndall ", 0) != 0 || at == std::string::npos) return -1;
-    command.replace(at, captured.string().size(), again.string());
-    return std::system(
-        (std::string(TYNDALL_BIN_DIR) + "/" + command + " > " + (folder_ / "again.log").string() + " 2>&1").c_str());
-  }
-  void quit() {
-    keys({"ctrl", "q"});
-    EXPECT_EQ(waitEditor(60), 0) << errors();
-  }
-};
-
 TEST_F(SessionTest, EditsAreUndoneAndCapturesAreMadeAgain) {
-  start();
+  start("hall", "960x640", {"--screenshot", (folder_ / "window.png").string()});
   EXPECT_EQ(state()["history"]["steps"], 1);
   // Another technique, from the list.
   const std::string technique = setting("volumetrics.technique");
@@ -142,9 +83,9 @@ TEST_F(SessionTest, EditsAreUndoneAndCapturesAreMadeAgain) {
   ASSERT_TRUE(fs::exists(captured)) << state()["message"];
   EXPECT_TRUE(fs::exists(folder_ / "hall-001.json"));
   ASSERT_EQ(rerun(command, captured, again), 0);
-  const std::string bytes = readAll(captured);
+  const std::string bytes = pixelsOf(captured);
   EXPECT_GT(bytes.size(), 10000u);
-  EXPECT_TRUE(bytes == readAll(again));
+  EXPECT_TRUE(bytes == pixelsOf(again));
   // It is what the window shows.
   const auto top = static_cast<std::uint32_t>(state()["widgets"]["viewport"][1].get<double>());
   quit();
@@ -163,7 +104,7 @@ TEST_F(SessionTest, EditsAreUndoneAndCapturesAreMadeAgain) {
 
 TEST_F(SessionTest, LevelsAreOpenedAndRemembered) {
   std::ofstream(folder_ / "settings.json") << "{ broken";
-  start();
+  start("hall", "960x640", {"--screenshot", (folder_ / "window.png").string()});
   EXPECT_NE(state()["message"].get<std::string>().find("settings.json"), std::string::npos) << state()["message"];
   EXPECT_TRUE(fs::exists(folder_ / "settings.json.broken"));
   choose("o", folder_ / "nothing.glb");  // refused in the window, which stays
@@ -190,7 +131,7 @@ TEST_F(SessionTest, LevelsAreOpenedAndRemembered) {
   input({"mouseup", "3"});
   ASSERT_FALSE(waitFor([](const Json& s) { return s["history"]["present"] == 1; }, 20).is_null());
   // A light is edited, undone, and in a capture, whose command finds it in a file of its own.
-  click("tab lights");
+  click("tab level");
   ASSERT_FALSE(waitFor([](const Json& s) { return lightOf(s) != ""; }, 20).is_null());
   click(lightOf(state()));
   const Json chosen = waitFor(
@@ -224,12 +165,12 @@ TEST_F(SessionTest, LevelsAreOpenedAndRemembered) {
                  untouched = folder_ / "untouched.png";
   ASSERT_TRUE(fs::exists(folder_ / "vault-001.glb")) << state()["message"];
   ASSERT_EQ(rerun(command, captured, again), 0);
-  EXPECT_TRUE(readAll(captured) == readAll(again));
+  EXPECT_TRUE(pixelsOf(captured) == pixelsOf(again));
   std::string before = command;  // with the level as it was
   before.replace(before.find((folder_ / "vault-001.glb").string()), (folder_ / "vault-001.glb").string().size(),
                  vault.string());
   ASSERT_EQ(rerun(before, captured, untouched), 0);
-  EXPECT_FALSE(readAll(captured) == readAll(untouched));
+  EXPECT_FALSE(pixelsOf(captured) == pixelsOf(untouched));
   quit();
   std::ifstream kept(folder_ / "settings.json");
   const Json settings = Json::parse(kept, nullptr, false);

@@ -21,7 +21,8 @@ std::size_t colours(const image::ByteImage& picture, std::uint32_t left, std::ui
 
 TEST_F(EditorTest, ScreenshotShowsPictureAndPanels) {
   const auto file = folder_ / "window.png";
-  startEditor({"hall", "--frames", "8", "--size", "640x400", "--screenshot", file.string(), "--validate"});
+  startEditor({"hall", "--frames", "8", "--size", "640x400", "--screenshot", file.string(), "--validate", "--set",
+               "volumetrics.columns=64", "--set", "volumetrics.slices=64", "--set", "shadows.resolution=256", "--set", "volumetrics.prefix_scheme=row"});
   ASSERT_EQ(waitEditor(280), 0) << errors();
   EXPECT_EQ(errors(), "");
   const auto now = state();

@@ -30,6 +30,7 @@ class Stage {
     Effect* effect = nullptr;
     Renderer* renderer = nullptr;  ///< null: the stage's own
     std::optional<std::vector<glm::mat4>> worldFromNode;
+    bool upload = true;  ///< false: the scene uploaded last, whose numbers may have changed
   };
   Shot render(const scene::Scene& scene, const scene::CameraView& camera, const std::vector<scene::LightView>& lights,
               Options options);

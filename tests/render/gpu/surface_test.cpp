@@ -177,6 +177,28 @@ TEST_F(SurfaceTest, EmptyLevelsAndTinyPicturesWork) {
   for (const glm::vec4& c : shot.color) EXPECT_TRUE(std::isfinite(c.r + c.g + c.b));
 }
 
+TEST_F(SurfaceTest, NumbersOfMaterialsAreThoseOfTheFrame) {
+  Level level;
+  level.quad({0, 0, 0}, {4, 0, 0}, {0, 0, -4}, level.material(Level::grey(128)));
+  scene::Material glass = Level::grey(188);
+  glass.alphaMode = scene::AlphaMode::kBlend;
+  level.quad({1, 1, 0}, {1, 0, 0}, {0, 0, -1}, level.material(glass));
+  const scene::CameraView camera = lookAt({0, 5, 0.01f}, {0, 0, 0}, 1.3f);
+  const std::vector<scene::LightView> lights{sun({0.3f, -1, 0}, 10)};
+  const Shot before = stage().render(level.scene, camera, lights);
+  level.scene.materials[0].baseColor = {0.8f, 0.2f, 0.1f, 1};
+  level.scene.materials[0].roughness = 0.4f;
+  level.scene.materials[1].baseColor.a = 0.25f;
+  level.scene.materials[1].emissive = {0, 0, 2};
+  Stage::Options live;
+  live.upload = false;
+  const Shot edited = stage().render(level.scene, camera, lights, live);
+  const Shot anew = stage().render(level.scene, camera, lights);
+  EXPECT_EQ(edited.color, anew.color);
+  EXPECT_NE(edited.color, before.color);
+  EXPECT_GT(edited.at(10, 32).r, 4 * edited.at(10, 32).b);  // the floor is red now
+}
+
 TEST_F(SurfaceTest, WrongSizesAreRefused) {
   const scene::Scene empty;
   ASSERT_TRUE(stage().renderer().setScene(empty).ok());

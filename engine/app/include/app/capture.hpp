@@ -22,6 +22,7 @@ struct Capture {
   std::string debugView;                                 ///< "" = the picture
   std::filesystem::path pluginFolder;                    ///< as it was asked for
   std::filesystem::path picture, scatter, depth, stats;  ///< "" = not asked for
+  std::filesystem::path viewExr;                         ///< numbers of the debug view; "" = not asked for
 };
 
 /// Renders with the session's level and settings just as `tyndall render` does, warm-up included, and writes all files

@@ -45,8 +45,8 @@ class Session {
   Result<void> setLevel(Level level);
   /// How often a level was set: another number, another level.
   std::uint64_t levelsSet() const { return levelsSet_; }
-  /// Lights, and where nodes stand, may be changed between frames; the next one shows it. Nothing else of the scene may: the
-  /// rest is uploaded. A level must be set.
+  /// Lights, where nodes stand, and the numbers of materials may be changed between frames; the next one shows it. Nothing
+  /// else of the scene may (meshes, textures, which of them a material has, alpha modes): the rest is uploaded. A level must be set.
   scene::Scene& editScene() { return level_->scene; }
   const Level* level() const { return level_ ? &*level_ : nullptr; }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/session.hpp"
+#include "image/image_io.hpp"
 
 namespace tyndall::app {
 
@@ -32,6 +33,9 @@ struct ViewPicture {
     return values[(std::size_t{y} * width + x) * channels + c];
   }
 };
+
+/// As an EXR can hold it: a second channel alone gets a third of zeros. Only of a picture with values.
+image::FloatImage exrOf(const ViewPicture& picture);
 
 class ViewReadback {
  public:

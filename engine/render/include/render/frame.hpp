@@ -51,7 +51,18 @@ struct ShadowedLight {
 };
 
 /// What the numbers of a debug view mean: TyViewRole of the plugins' ABI.
-enum class ViewRole { kPlain, kRows, kRowDepths, kRowPlace, kLightRayStart, kLightRayEnd, kReference };
+enum class ViewRole {
+  kPlain,
+  kRows,
+  kRowDepths,
+  kRowPlace,
+  kLightRayStart,
+  kLightRayEnd,
+  kReference,
+  kWalkRanks,
+  kWalkLevel,
+  kWalkLevelAcross
+};
 
 /// What an effect (the plugin host) is given while the graph is built.
 struct EffectInput {

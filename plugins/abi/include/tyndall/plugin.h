@@ -277,7 +277,8 @@ typedef struct TyPass {
  * for light 0, then all for light 1 - so that lights take turns in the same transient memory. */
 
 /* What the numbers of a debug view mean, for tools that know no plugin by name. A host may treat roles that it does not know
- * as TY_VIEW_PLAIN. A layout has at most one view of each role from TY_VIEW_ROW_PLACE on. */
+ * as TY_VIEW_PLAIN. A layout has at most one view of each role from TY_VIEW_ROW_PLACE on, but for TY_VIEW_WALK_LEVEL and
+ * TY_VIEW_WALK_LEVEL_ACROSS. */
 typedef enum TyViewRole {
   TY_VIEW_PLAIN = 0,
   /* A map whose rows hold view rays: slices along x, columns along y, whatever its size. TY_VIEW_ROW_DEPTHS: it holds the
@@ -292,7 +293,16 @@ typedef enum TyViewRole {
   TY_VIEW_LIGHT_RAY_START = 4,
   TY_VIEW_LIGHT_RAY_END = 5,
   /* In-scattered radiance of every light (RGB) found without the technique's approximations, to judge its result by. */
-  TY_VIEW_REFERENCE = 6
+  TY_VIEW_REFERENCE = 6,
+  /* A search by bits through the sorted depths of each row of those maps: a ray asks which of the blockers of its columns lie before
+   * it. RANKS: slices along x; the first channel at y holds, over 65535, how many of the slice's depths are less than
+   * y / (height - 1). The rank of a depth lies between those of the two texels that it lies between. */
+  TY_VIEW_WALK_RANKS = 7,
+  /* One view for each level of the search, in order. Slices along x, positions along y (ACROSS: the other way round), 2^n of them, in
+   * 2^level nodes of equal size, each with the ranks of its own positions in the order of their columns. Of the columns of a node up to
+   * a position: R, over 65535, how many have a rank in the node's first half; G, which share of their weight those have. */
+  TY_VIEW_WALK_LEVEL = 8,
+  TY_VIEW_WALK_LEVEL_ACROSS = 9
 } TyViewRole;
 
 /* A picture the plugin can show of its insides. */

@@ -176,10 +176,11 @@ void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightC
     builder.debugView("level_" + number + "_share",
                       "Level " + number + " of the wavelet matrices: share of a prefix's weight in the nearer half of its node's depths, first "
                       "reference ray",
-                      TY_SOURCE_IMAGE, images.levels, level * matrix.vectors, 1, 0.0f, 1.0f);
+                      TY_SOURCE_IMAGE, images.levels, level * matrix.vectors, 1, 0.0f, 1.0f,
+                      scanned ? TY_VIEW_WALK_LEVEL_ACROSS : TY_VIEW_WALK_LEVEL);
   }
   builder.debugView("ranks", "How many of a slice's depths lie before each depth (downwards); white = all", TY_SOURCE_IMAGE, images.ranks, 0, 0,
-                    0.0f, static_cast<float>(matrix.elements()) / 65535.0f);
+                    0.0f, static_cast<float>(matrix.elements()) / 65535.0f, TY_VIEW_WALK_RANKS);
   if (settings.prefix_bounds != 0) {
     builder.debugView("prefix_min", "Prefix minimum of the depth of the first blocker: rays below it are lit", TY_SOURCE_IMAGE,
                       images.bounds, 0, 0, 0.0f, 1.0f, TY_VIEW_ROWS);
