@@ -58,7 +58,9 @@ Shot Stage::render(const scene::Scene& scene, const scene::CameraView& camera,
   shot.width = options.width;
   shot.height = options.height;
   Renderer& renderer = options.renderer ? *options.renderer : *renderer_;
-  if (options.upload) EXPECT_TRUE(renderer.setScene(scene).ok());
+  if (options.upload) {
+    EXPECT_TRUE(renderer.setScene(scene).ok());
+  }
   Renderer::Input input{scene, options.worldFromNode ? *options.worldFromNode : scene::worldMatrices(scene, 0), camera,
                         lights};
   input.width = options.width;
