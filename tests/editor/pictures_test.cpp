@@ -72,7 +72,7 @@ TEST_F(PicturesTest, ARowAndItsWalk) {
   click("rows");
   ASSERT_TRUE(appears("walk"));
   click("walk");
-  move(560, 330);
+  move(760, 330);  // beside the windows
   ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].contains("walk"); }, 200).is_null()) << state()["facts"];
   keep("editor_walk.png");
   quit();
