@@ -75,9 +75,9 @@ NodeEdit turned(const NodeEdit& node, const glm::mat4& worldFromParent, const gl
 glm::quat turnBetween(const glm::vec3& from, const glm::vec3& to) {
   const float cosine = glm::dot(from, to);
   if (cosine > -0.99999f) return glm::normalize(glm::quat(1 + cosine, glm::cross(from, to)));
-  // Opposite: half a turn about anything at a right angle.
+  // Nearly opposite: half a turn about anything at a right angle, and the rest.
   const glm::vec3 other = std::abs(from.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-  return glm::angleAxis(glm::pi<float>(), glm::normalize(glm::cross(from, other)));
+  return turnBetween(-from, to) * glm::angleAxis(glm::pi<float>(), glm::normalize(glm::cross(from, other)));
 }
 
 Heading headingOf(const glm::vec3& d) { return {std::atan2(d.x, -d.z), std::asin(std::clamp(d.y, -1.0f, 1.0f))}; }

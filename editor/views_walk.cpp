@@ -77,7 +77,7 @@ WalkRow WalkView::rowOf(std::uint32_t slice) const {
 
 void WalkView::draw(ResearchContext& context, glm::uvec2 rows, const std::optional<glm::vec3>& end) {
   if (!open) return;
-  ImGui::SetNextWindowSize({520, 270}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({640, 270}, ImGuiCond_FirstUseEver);
   // Above the row's own window, which is low in the corner.
   ImGui::SetNextWindowPos({6, std::max(ImGui::GetIO().DisplaySize.y - 560, 60.0f)}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Walk in the map", &open, ImGuiWindowFlags_NoFocusOnAppearing)) {
@@ -111,7 +111,7 @@ void WalkView::draw(ResearchContext& context, glm::uvec2 rows, const std::option
 void WalkView::table(const Walk& walk) const {
   constexpr const char* kTitles[] = {"level", "ranks",      "columns", "first half",
                                      "share", "goes on in", "blocked", "undecided"};
-  if (!ImGui::BeginTable("walk", 8, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
+  if (!ImGui::BeginTable("walk", 8, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) return;
   for (const char* title : kTitles) ImGui::TableSetupColumn(title);
   ImGui::TableHeadersRow();
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
@@ -122,7 +122,7 @@ void WalkView::table(const Walk& walk) const {
     ImGui::TableNextColumn(), ImGui::Text("%u", step.elements);
     ImGui::TableNextColumn(), ImGui::Text("%u", step.zeros);
     ImGui::TableNextColumn(), ImGui::Text("%.4f", static_cast<double>(step.share));
-    ImGui::TableNextColumn(), ImGui::Text("%s", step.second ? "second: first is blocked" : "first");
+    ImGui::TableNextColumn(), ImGui::Text("%s", step.second ? "second" : "first");
     ImGui::TableNextColumn(), ImGui::Text("%.5f", step.blocked);
     ImGui::TableNextColumn(), ImGui::Text("%.5f", step.undecided);
   }

@@ -16,7 +16,8 @@ class PicturesTest : public SessionTest {
  protected:
   void open(const char* level) {
     start(level, "1280x720",
-          {"--set", "volumetrics.columns=512", "--set", "volumetrics.slices=512", "--set", "shadows.resolution=2048"});
+          {"--set", "volumetrics.technique=exact", "--set", "volumetrics.columns=512", "--set",
+           "volumetrics.slices=512", "--set", "shadows.resolution=2048"});
   }
   /// What is on the screen now, the mouse where it is.
   void keep(const char* name) {
@@ -71,7 +72,7 @@ TEST_F(PicturesTest, ARowAndItsWalk) {
   click("rows");
   ASSERT_TRUE(appears("walk"));
   click("walk");
-  move(560, 330);
+  move(760, 330);  // beside the windows
   ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].contains("walk"); }, 200).is_null()) << state()["facts"];
   keep("editor_walk.png");
   quit();

@@ -12,8 +12,9 @@ namespace tyndall::editor_test {
 
 using Json = nlohmann::json;
 
-inline const std::vector<std::string> kSettings = {"--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64",
-                                                   "--set", "shadows.resolution=256"};
+inline const std::vector<std::string> kSettings = {
+    "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64",
+    "--set", "shadows.resolution=256", "--set", "volumetrics.technique=exact"};
 
 inline std::vector<double> numbers(const std::string& text) {
   std::istringstream stream(text);

@@ -31,11 +31,14 @@ TEST_P(WalkOf, CountsTheBlockersBeforeTheRay) {
   const app::ViewPicture &ranks = taken.views[0], &depths = taken.views[1];
   const auto bins = static_cast<float>(ranks.height - 1);
   std::mt19937 random(5);
+  const auto below = [&](std::uint32_t count) {
+    return std::uniform_int_distribution<std::uint32_t>(0, count - 1)(random);
+  };
   std::size_t some = 0;
   for (int i = 0; i < 4000; ++i) {
-    const auto slice = static_cast<std::uint32_t>(random() % depths.width), elements = static_cast<std::uint32_t>(random() % (depths.height + 1));
+    const std::uint32_t slice = below(depths.width), elements = below(depths.height + 1);
     // Mostly about where depths are, so that not all lie on one side.
-    const float near = depths.at(slice, static_cast<std::uint32_t>(random() % depths.height), 0);
+    const float near = depths.at(slice, below(depths.height), 0);
     const float depth = std::clamp(near + std::uniform_real_distribution(-0.02f, 0.02f)(random), 0.0f, 1.0f);
     editor::WalkRow row;
     for (std::uint32_t bin = 0; bin < ranks.height; ++bin) row.before.push_back(ranks.at(slice, bin, 0) * kCountScale);

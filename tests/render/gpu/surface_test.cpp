@@ -196,7 +196,8 @@ TEST_F(SurfaceTest, NumbersOfMaterialsAreThoseOfTheFrame) {
   const Shot anew = stage().render(level.scene, camera, lights);
   EXPECT_EQ(edited.color, anew.color);
   EXPECT_NE(edited.color, before.color);
-  EXPECT_GT(edited.at(10, 32).r, 4 * edited.at(10, 32).b);  // the floor is red now
+  EXPECT_LT(before.at(10, 32).r, before.at(10, 32).b * 1.5f);
+  EXPECT_GT(edited.at(10, 32).r, 2 * edited.at(10, 32).b);  // the floor is red now, under a blue sky
 }
 
 TEST_F(SurfaceTest, WrongSizesAreRefused) {
