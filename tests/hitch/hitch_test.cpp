@@ -1,4 +1,5 @@
 // A changed setting does not hold up the frames: three that need new pipelines, with caches that know none of them.
+#include <algorithm>
 #include <cstdio>
 
 #include <gtest/gtest.h>
@@ -35,9 +36,9 @@ TEST(Hitch, ChangedSettingsDoNotHoldUpFrames) {
     print(change);
     EXPECT_GT(change.frames, 0) << change.what << ": nothing was built beside the frames";
     EXPECT_EQ(change.late, 0) << change.what << ": code that was not compiled ahead";
-    // Not the wall clock's ratio: how long the machine makes a frame wait for a processor is not ours. The sweep has
-    // it.
-    EXPECT_LE(change.cpuRatio(), 2.0) << change.what;
+    // The promise is about the clock. Where a machine made a frame wait for a processor, which is not ours, the time of the processors tells;
+    // that alone would count what the driver's threads spend on the new images, whether a frame waits for it or not.
+    EXPECT_LE(std::min(change.ratio(), change.cpuRatio()), 2.0) << change.what;
   }
 }
 
