@@ -57,7 +57,7 @@ TEST_F(SessionTest, EditsAreUndoneAndCapturesAreMadeAgain) {
   ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].value("compare.count", "") == "0"; }, 20).is_null());
   keys({"ctrl", "z"});
   ASSERT_TRUE(becomes("view.exposure", dragged));
-  ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].value("compare.count", "") == "4"; }, 20).is_null())
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].value("compare.count", "") == "5"; }, 20).is_null())
       << state()["facts"];
   choose("s", folder_ / "saved");
   ASSERT_FALSE(
