@@ -215,7 +215,7 @@ Result<bool> measureView(Stand& stand, const Sweep& sweep, const app::Level& lev
     } else {
       ok = stand.warmUp(m.settings, *chosen, sweep.errorSize, 0);
       const auto resolved = stand.session().effect().resolved();
-      choices[m.technique] = {resolved.begin(), resolved.end()};
+      if (ok) choices[m.technique] = {resolved.begin(), resolved.end()};
     }
     if (ok) ok = view.errorsOf(m);
     if (ok) ok = takeShadows(m);

@@ -18,8 +18,8 @@ float referencePlace(float nodeLow, float nodeHigh, float theta) {
 }
 
 // Part of a prefix's optical depth (across the light) that its coordinate between reference rays is made with, and how many rays that is good
-// for. Found by the worst error of the weights over steps of visibility, with suns on and off the screen: against the row's own coordinate a third of
-// it for two to four rays. More rays would multiply rounding of their sums by hundreds near the light, and gain nothing.
+// for. Found by the worst error of the weights over steps of visibility, with suns on and off the screen: against the row's own coordinate half of
+// it for three rays, two thirds for two and four. More rays would multiply rounding of their sums by hundreds near the light, and gain nothing.
 const float kPrefixKappa = 0.15;
 const int kMostByPrefix = 4;
 // Slices whose reference coordinates span less have practically one inclination; a prefix's coordinate needs a depth above 0.
