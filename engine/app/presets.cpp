@@ -20,6 +20,8 @@ Result<std::filesystem::path> findPreset(const std::filesystem::path& asked) {
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   const std::string near = nearestName(text, names);
+  if (names.empty())
+    return badCall("--preset '" + text + "': there are no presets in " + folder.string() + ", where the programs' own are expected; a path ending in .json would be right");
   return badCall("--preset '" + text + "': no such preset" + (near.empty() ? "" : ", did you mean '" + near + "'?") + "; there are " + list +
                  ", or give a path ending in .json");
 }

@@ -96,7 +96,8 @@ Result<void> compare(const std::vector<std::filesystem::path>& files) {
 /// Results that lie in the folder and were measured the same way, or new ones.
 Result<Results> begin(const app::BenchOptions& options, const std::filesystem::path& folder, const Sweep& sweep, const gpu::DeviceInfo& device) {
   Results results;
-  results.device = device.name, results.driver = device.driver, results.sweep = sweep.name, results.started = now(), results.settings = sweep.settings;
+  results.device = device.name, results.driver = device.driver, results.sweep = sweep.name, results.started = now(), results.settings = sweep.settings,
+  results.repetitions = sweep.repetitions;
   results.command = "tyndall bench";
   for (const std::string& level : options.levels) results.command += " " + level;
   results.command += " --sweep " + options.sweep;
@@ -111,6 +112,9 @@ Result<Results> begin(const app::BenchOptions& options, const std::filesystem::p
                   "; another --out, or --fresh to measure everything again, is needed");
   if (earlier->sweep != results.sweep || earlier->settings != results.settings)
     return failed(file.string() + ": is of another sweep or of other common settings; another --out, or --fresh, is needed");
+  if (earlier->repetitions != 0 && earlier->repetitions != results.repetitions)
+    return failed(file.string() + ": was measured with " + std::to_string(earlier->repetitions) + " repetitions, this call has " + std::to_string(results.repetitions) +
+                  "; --repetitions " + std::to_string(earlier->repetitions) + ", another --out, or --fresh, is needed");
   // What failed is tried again.
   std::erase_if(earlier->points, [](const PointFigures& p) { return !p.failure.empty(); });
   return earlier;
@@ -137,7 +141,7 @@ Result<void> measure(const app::BenchOptions& options) {
   if (!stand) return stand.error();
   auto results = begin(options, folder, *sweep, (*stand)->session().device().info());
   if (!results) return results.error();
-  auto rate = (*stand)->copyRate();
+  auto rate = copyRate((*stand)->session());
   if (!rate) return rate.error();
   results->copyGigabytes = *rate * 1e-9;
 

@@ -24,6 +24,7 @@ struct Measured {
   std::vector<std::pair<std::string, std::string>> passOrder;  // name, owner
   std::map<std::string, std::vector<double>> passes;
   std::uint64_t memory = 0;
+  std::optional<std::uint64_t> moved;
   std::optional<SplitErrors> truth, march;
   std::optional<double> motionError, flicker;
   std::string failure;
@@ -46,7 +47,7 @@ struct Measured {
     if (!failure.empty()) return;
     f.gpu = spreadOf(gpu), f.volumetrics = spreadOf(effect), f.shadows = spreadOf({shadows});
     for (const auto& [name, owner] : passOrder) f.passes.push_back({name, owner, spreadOf(passes.at(name)).median});
-    f.memoryBytes = memory, f.truth = truth, f.march = march, f.motionError = motionError, f.flicker = flicker;
+    f.memoryBytes = memory, f.movedBytes = moved, f.truth = truth, f.march = march, f.motionError = motionError, f.flicker = flicker;
   }
 };
 
@@ -234,7 +235,7 @@ Result<bool> measureView(Stand& stand, const Sweep& sweep, const app::Level& lev
       }
       m.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       m.add(stand.passes(), effect);
-      m.memory = stand.session().effect().memoryBytes();
+      m.memory = stand.session().effect().memoryBytes(), m.moved = stand.session().effect().bytesMoved();
     }
 
   for (const PlannedPoint& point : planned) {

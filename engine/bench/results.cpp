@@ -43,7 +43,7 @@ const PointFigures* Results::find(const std::string& key) const {
 }
 
 std::string resultsCsv(const Results& results) {
-  std::string csv = "level,camera,width,height,series,technique,label,settings,gpu_ms,volumetrics_ms,volumetrics_ms_low,volumetrics_ms_high,shadow_ms,memory_bytes";
+  std::string csv = "level,camera,width,height,series,technique,label,settings,gpu_ms,volumetrics_ms,volumetrics_ms_low,volumetrics_ms_high,shadow_ms,memory_bytes,floor_bytes";
   for (const char* reference : {"truth", "march"})
     for (const char* part : {"all", "silhouettes", "interior", "light"})
       for (const char* figure : {"nrmse", "p99", "maximum", "bias"}) csv += std::string(",") + reference + "_" + part + "_" + figure;
@@ -53,9 +53,9 @@ std::string resultsCsv(const Results& results) {
            "," + quoted(p.technique) + "," + quoted(p.label) + "," + quoted(settingsText(p.settings)) + ",";
     if (p.failure.empty())
       csv += number(p.gpu.median) + "," + number(p.volumetrics.median) + "," + number(p.volumetrics.low) + "," + number(p.volumetrics.high) + "," +
-             number(p.shadows.median) + "," + std::to_string(p.memoryBytes);
+             number(p.shadows.median) + "," + std::to_string(p.memoryBytes) + "," + (p.movedBytes ? std::to_string(*p.movedBytes) : "");
     else
-      csv += ",,,,,";
+      csv += ",,,,,,";
     csv += errorColumns(p.truth) + errorColumns(p.march) + "," + (p.motionError ? number(*p.motionError) : "") + "," + (p.flicker ? number(*p.flicker) : "") + "," +
            quoted(p.failure) + "\n";
   }

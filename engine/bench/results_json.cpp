@@ -46,7 +46,7 @@ Json toJson(const PointFigures& p) {
   j["passes"] = Json::array();
   for (const PassMs& pass : p.passes) j["passes"].push_back({{"name", pass.name}, {"owner", pass.owner}, {"ms", pass.milliseconds}});
   j["memory_bytes"] = p.memoryBytes;
-  j["floor_bytes"] = nullptr;
+  j["floor_bytes"] = orNull(p.movedBytes);
   j["error"] = {{"truth", toJson(p.truth)}, {"march", toJson(p.march)}};
   j["temporal"] = p.motionError && p.flicker ? Json{{"nrmse_mean", *p.motionError}, {"flicker", *p.flicker}} : Json();
   j["paper"] = nullptr;
@@ -72,6 +72,7 @@ PointFigures pointFrom(const Json& j) {
   }
   for (const Json& pass : j.at("passes")) p.passes.push_back({pass.at("name"), pass.at("owner"), pass.at("ms")});
   p.memoryBytes = j.at("memory_bytes");
+  if (!j.at("floor_bytes").is_null()) p.movedBytes = j.at("floor_bytes").get<std::uint64_t>();
   p.truth = splitFrom(j.at("error").at("truth"));
   p.march = splitFrom(j.at("error").at("march"));
   if (const Json& t = j.at("temporal"); !t.is_null()) p.motionError = t.at("nrmse_mean").get<double>(), p.flicker = t.at("flicker").get<double>();
@@ -89,7 +90,7 @@ PointFigures pointFrom(const Json& j) {
 
 std::string resultsJson(const Results& results) {
   Json j = {{"format", "tyndall-bench"}, {"version", 1}, {"device", results.device}, {"driver", results.driver}, {"sweep", results.sweep},
-            {"started", results.started}, {"command", results.command}, {"copy_gb_s", orNull(results.copyGigabytes)}, {"settings", results.settings}};
+            {"started", results.started}, {"command", results.command}, {"repetitions", results.repetitions}, {"copy_gb_s", orNull(results.copyGigabytes)}, {"settings", results.settings}};
   j["levels"] = Json::array();
   for (const LevelFigures& l : results.levels)
     j["levels"].push_back({{"name", l.name}, {"camera", l.camera}, {"triangles", l.triangles}, {"lights", l.lights}, {"light_in_view", l.lightInView},
@@ -105,7 +106,7 @@ Result<Results> readResults(const std::string& json, const std::string& source) 
   if (j.at("version") != 1) return failed(source + ": has version " + j.at("version").dump() + "; version 1 would be right");
   Results results;
   results.device = j.at("device"), results.driver = j.at("driver"), results.sweep = j.at("sweep"), results.started = j.at("started");
-  results.command = j.value("command", "");
+  results.command = j.value("command", ""), results.repetitions = j.value("repetitions", 0u);
   if (!j.at("copy_gb_s").is_null()) results.copyGigabytes = j.at("copy_gb_s").get<double>();
   results.settings = j.at("settings").get<Assignments>();
   for (const Json& l : j.at("levels")) {

@@ -74,30 +74,30 @@ Result<void> Stand::warmUp(const Assignments& settings, const scene::CameraView&
   return {};
 }
 
-Result<double> Stand::copyRate() {
+Result<double> copyRate(app::Session& session) {
   constexpr std::uint64_t kBytes = 64ull << 20;
   const auto make = [&](const char* name) {
-    return session_->device().createBuffer({name, kBytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+    return session.device().createBuffer({name, kBytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
   };
   auto from = make("copy rate, from"), to = make("copy rate, to");
   if (!from) return from.error();
   if (!to) return to.error();
   std::vector<double> times;
   for (int i = 0; i < 7; ++i) {
-    auto commands = session_->device().beginFrame();
+    auto commands = session.device().beginFrame();
     if (!commands) return commands.error();
-    render::Graph graph(session_->device(), session_->graphMemory());
+    render::Graph graph(session.device(), session.graphMemory());
     const render::BufferRef a = graph.import(*from), b = graph.import(*to);
     graph.pass("copy").use(a, render::Use::kTransferRead).use(b, render::Use::kTransferWrite).keep().run([a, b](render::PassContext& pass) {
       const VkBufferCopy region{0, 0, kBytes};
       vkCmdCopyBuffer(pass.commands(), pass.buffer(a), pass.buffer(b), 1, &region);
     });
     if (auto compiled = graph.compile(); !compiled) return compiled.error();
-    auto stamps = gpu::Timestamps::create(session_->device(), 4);
+    auto stamps = gpu::Timestamps::create(session.device(), 4);
     if (!stamps) return stamps.error();
     graph.record(*commands, &*stamps);
-    if (auto ended = session_->device().endFrame(); !ended) return ended.error();
-    if (auto idle = session_->device().waitIdle(); !idle) return idle.error();
+    if (auto ended = session.device().endFrame(); !ended) return ended.error();
+    if (auto idle = session.device().waitIdle(); !idle) return idle.error();
     times.push_back(stamps->milliseconds().at(0));
   }
   return 2e3 * kBytes / spreadOf(times).median;

@@ -5,15 +5,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/file.hpp"
+#include "base/hash.hpp"
 
 namespace tyndall::bench {
 namespace {
-
-/// FNV-1a, 64 bit: names files of a cache, no more.
-std::uint64_t hashOf(std::span<const std::byte> bytes, std::uint64_t hash = 0xcbf29ce484222325ull) {
-  for (const std::byte b : bytes) hash = (hash ^ static_cast<std::uint64_t>(b)) * 0x100000001b3ull;
-  return hash;
-}
 
 /// Changes when the truth's own code does, so that old pictures are not taken for new ones.
 constexpr const char* kGeneration = "1";
@@ -32,11 +27,11 @@ scene::CameraView turned(const scene::CameraView& start, double degrees) {
 }
 
 std::uint64_t levelHash(const std::string& level, const std::string& text) {
-  const std::uint64_t hash = hashOf(std::as_bytes(std::span(text.data(), text.size())));
-  auto path = app::findLevel(level);
-  if (!path) return hash;
-  auto bytes = readFile(*path);
-  return bytes ? hashOf(*bytes, hash) : hash;
+  Hash hash;
+  hash.text(text);
+  if (auto path = app::findLevel(level))
+    if (auto bytes = readFile(*path)) hash.bytes(*bytes);
+  return hash.value();
 }
 
 Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, double degrees, Size size, double seconds, const truth::Medium& medium, std::uint32_t samples,
@@ -50,7 +45,7 @@ Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, double degr
   std::snprintf(key, sizeof key, "%s %u %ux%u %.17g %.17g %.17g %.17g %u", kGeneration, camera, size.first, size.second, seconds, medium.sigma_t, medium.albedo,
                 medium.g, samples);
   if (degrees != 0) std::snprintf(key + std::char_traits<char>::length(key), 32, " turned %.9g", degrees);
-  const std::uint64_t hash = hashOf(std::as_bytes(std::span(key, std::char_traits<char>::length(key))), hashOf(*bytes));
+  const std::uint64_t hash = Hash().bytes(*bytes).text(key).value();
   char name[32];
   std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hash));
   const std::filesystem::path folder = cacheFolder() / "truths";

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "base/file.hpp"
+#include "base/hash.hpp"
 #include "base/log.hpp"
 #include "vk_text.hpp"
 
@@ -17,13 +18,6 @@ struct FileHeader {
   std::uint64_t hash = 0;
 };
 
-// FNV-1a, 64 bit (Fowler, Noll, Vo 1991; the constants are theirs).
-std::uint64_t hashOf(std::span<const std::byte> bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325ull;
-  for (const std::byte byte : bytes) hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3ull;
-  return hash;
-}
-
 std::filesystem::path cacheFile(const VkPhysicalDeviceProperties& properties) {
   const auto folder = cacheFolder();
   if (folder.empty()) return {};
@@ -36,7 +30,7 @@ std::filesystem::path cacheFile(const VkPhysicalDeviceProperties& properties) {
 }  // namespace
 
 std::vector<std::byte> packCache(std::span<const std::byte> data) {
-  const FileHeader header{kMagic, hashOf(data)};
+  const FileHeader header{kMagic, Hash().bytes(data).value()};
   std::vector<std::byte> file(sizeof header + data.size());
   std::memcpy(file.data(), &header, sizeof header);
   if (!data.empty()) std::memcpy(file.data() + sizeof header, data.data(), data.size());
@@ -48,7 +42,7 @@ std::optional<std::vector<std::byte>> unpackCache(std::span<const std::byte> fil
   if (file.size() < sizeof header) return std::nullopt;
   std::memcpy(&header, file.data(), sizeof header);
   const auto data = file.subspan(sizeof header);
-  if (header.magic != kMagic || header.hash != hashOf(data)) return std::nullopt;
+  if (header.magic != kMagic || header.hash != Hash().bytes(data).value()) return std::nullopt;
   return std::vector<std::byte>(data.begin(), data.end());
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
+#include "base/hash.hpp"
 
 namespace tyndall::gpu {
 namespace {
@@ -71,15 +72,15 @@ std::vector<fs::path> sourceFiles(const ShaderSource& source) {
 }
 
 std::uint64_t fingerprint(const std::vector<fs::path>& files) {
-  std::uint64_t hash = 0xcbf29ce484222325ull;  // FNV-1a over the times, as in pipeline_cache.cpp
+  Hash hash;
   for (const fs::path& file : files) {
     std::error_code error;
     const auto time = fs::last_write_time(file, error).time_since_epoch().count();
-    hash = (hash ^ (error ? 0 : static_cast<std::uint64_t>(time))) * 0x100000001b3ull;
+    hash.add(error ? 0 : static_cast<std::uint64_t>(time));
     const auto size = fs::file_size(file, error);
-    hash = (hash ^ (error ? 0 : static_cast<std::uint64_t>(size))) * 0x100000001b3ull;
+    hash.add(error ? 0 : static_cast<std::uint64_t>(size));
   }
-  return hash;
+  return hash.value();
 }
 
 bool anyNewer(const std::vector<fs::path>& files, const fs::path& file) {

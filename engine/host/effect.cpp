@@ -109,6 +109,7 @@ void PluginEffect::frameFinished(const std::vector<render::PassTime>& passes) {
   const State::Pending frame = std::move(s.pending.front());
   s.pending.pop_front();
   s.bytes = frame.built ? bytesUsed(*frame.built, *frame.refs) : 0;
+  s.moved = frame.built ? host::bytesMoved(*frame.built, *frame.refs) : std::optional<std::uint64_t>{};
   s.lightBytes = frame.built ? bytesOfLights(*frame.built, *frame.refs) : std::vector<std::uint64_t>{};
   if (!frame.built) return;
   if (const auto& counters = frame.built->layout.counters; counters && !counters->names.empty()) {
@@ -190,6 +191,7 @@ std::vector<std::string> PluginEffect::reloadShaders() {
 }
 
 std::uint64_t PluginEffect::memoryBytes() const { return state_->bytes; }
+std::optional<std::uint64_t> PluginEffect::bytesMoved() const { return state_->moved; }
 std::vector<std::uint64_t> PluginEffect::lightMemoryBytes() const { return state_->lightBytes; }
 const std::optional<Error>& PluginEffect::failure() const { return state_->failure; }
 

@@ -105,6 +105,7 @@ struct PluginEffect::State {
   std::shared_ptr<const FrameRefs> refs;  ///< of the last addPasses
   std::vector<std::pair<std::string, std::uint64_t>> counters;
   std::uint64_t bytes = 0;  ///< what the last finished frame used
+  std::optional<std::uint64_t> moved;     ///< see PluginEffect::bytesMoved()
   std::vector<std::uint64_t> lightBytes;  ///< and each light's own passes of it
 
   bool background = false;

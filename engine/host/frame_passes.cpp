@@ -209,6 +209,8 @@ void readCounters(render::Graph& graph, const std::shared_ptr<Built>& built,
       });
 }
 
+std::uint64_t outputBytes(const Built& built) { return std::uint64_t{built.structure.width} * built.structure.height * 16; }
+
 }  // namespace
 
 std::uint64_t bytesUsed(const Built& built, const FrameRefs& refs) {
@@ -224,7 +226,7 @@ std::uint64_t bytesUsed(const Built& built, const FrameRefs& refs) {
     }
   }
   if (layout.counters && !layout.counters->names.empty()) buffers[layout.counters->buffer] = true;
-  std::uint64_t bytes = output ? std::uint64_t{built.structure.width} * built.structure.height * 16 : 0;
+  std::uint64_t bytes = output ? outputBytes(built) : 0;
   for (std::size_t i = 0; i < images.size(); ++i)
     if (images[i] || isHistory(layout.images[i])) bytes += imageBytes(layout.images[i].d);
   for (std::size_t i = 0; i < buffers.size(); ++i)
@@ -248,6 +250,19 @@ std::vector<std::uint64_t> bytesOfLights(const Built& built, const FrameRefs& re
       if (images[i]) bytes[light] += imageBytes(layout.images[i].d);
     for (std::size_t i = 0; i < buffers.size(); ++i)
       if (buffers[i]) bytes[light] += layout.buffers[i].d.size;
+  }
+  return bytes;
+}
+
+std::optional<std::uint64_t> bytesMoved(const Built& built, const FrameRefs& refs) {
+  std::uint64_t bytes = 0;
+  std::uint32_t only = TY_NONE;
+  for (std::size_t r = 0; r < built.runs.size(); ++r) {
+    if (!(*refs.recorded)[r] || (*refs.idle)[r]) continue;
+    const std::uint32_t light = built.runs[r].light;
+    if (light != TY_NONE && only != TY_NONE && light != only) return std::nullopt;
+    if (light != TY_NONE) only = light;
+    bytes += bytesMoved(built.layout, built.layout.passes[built.runs[r].pass], outputBytes(built));
   }
   return bytes;
 }

@@ -1,5 +1,6 @@
 // What passes do to resources, and the order in which they run.
 #include <algorithm>
+#include <map>
 
 #include "host/layout.hpp"
 
@@ -30,6 +31,8 @@ PassAccess accessOf(const TyBinding& binding) {
   }
 }
 
+std::uint32_t layersOf(const TyImage& image) { return image.kind == TY_IMAGE_2D_ARRAY ? image.depth : 1; }
+
 /// What a binding reaches of its image, half-open.
 struct Part {
   std::uint32_t firstMip, endMip, firstLayer, endLayer;
@@ -38,7 +41,7 @@ struct Part {
   }
 };
 Part partOf(const TyImage& image, const TyBinding& b) {
-  const std::uint32_t layers = image.kind == TY_IMAGE_2D_ARRAY ? image.depth : 1;
+  const std::uint32_t layers = layersOf(image);
   const std::uint32_t mips = b.access != TY_ACCESS_SAMPLED ? 1 : b.mip_count;
   return {b.base_mip, mips ? b.base_mip + mips : image.mips, b.base_layer,
           b.layer_count ? b.base_layer + b.layer_count : layers};
@@ -156,13 +159,45 @@ std::uint32_t formatBytes(std::uint32_t format) {
   }
 }
 
+namespace {
+
+/// Of one mip: a layer of an array, all of a 3D image.
+std::uint64_t layerBytes(const TyImage& image, std::uint32_t mip) {
+  const auto side = [mip](std::uint32_t size) { return std::uint64_t{std::max(1u, size >> mip)}; };
+  return side(image.width) * side(image.height) * (image.kind == TY_IMAGE_3D ? side(image.depth) : 1) * formatBytes(image.format);
+}
+
+}  // namespace
+
 std::uint64_t imageBytes(const TyImage& image) {
-  std::uint64_t texels = 0;
-  for (std::uint32_t mip = 0; mip < image.mips; ++mip) {
-    const auto side = [mip](std::uint32_t size) { return std::uint64_t{std::max(1u, size >> mip)}; };
-    texels += side(image.width) * side(image.height) * (image.kind == TY_IMAGE_3D ? side(image.depth) : image.depth);
-  }
-  return texels * formatBytes(image.format);
+  std::uint64_t bytes = 0;
+  for (std::uint32_t mip = 0; mip < image.mips; ++mip) bytes += layerBytes(image, mip) * layersOf(image);
+  return bytes;
+}
+
+std::uint64_t bytesMoved(const Layout& layout, const LayoutPass& pass, std::uint64_t outputBytes) {
+  // Every part once in each direction, however many bindings reach it: (source, index, mip, layer, written) -> bytes.
+  std::map<std::array<std::uint32_t, 5>, std::uint64_t> parts;
+  const auto add = [&](std::uint32_t source, std::uint32_t index, const Part& part, PassAccess access) {
+    for (const bool written : {false, true}) {
+      if (!(written ? writesTo(access) : readsOld(access))) continue;
+      if (source == TY_SOURCE_BUFFER) parts[{source, index, 0, 0, written}] = layout.buffers[index].d.size;
+      if (source == TY_SOURCE_OUTPUT) parts[{source, index, 0, 0, written}] = outputBytes;
+      if (source != TY_SOURCE_IMAGE) continue;
+      for (std::uint32_t mip = part.firstMip; mip < part.endMip; ++mip)
+        for (std::uint32_t layer = part.firstLayer; layer < part.endLayer; ++layer) parts[{source, index, mip, layer, written}] = layerBytes(layout.images[index].d, mip);
+    }
+  };
+  for (const TyBinding& b : pass.bindings)
+    add(b.source, b.index, b.source == TY_SOURCE_IMAGE ? partOf(layout.images[b.index].d, b) : Part{}, accessOf(b));
+  const auto addTarget = [&](const TyTarget& t, PassAccess loaded, PassAccess fresh) {
+    add(t.source, t.index, {t.mip, t.mip + 1, t.layer, t.layer + 1}, t.load ? loaded : fresh);
+  };
+  for (const TyTarget& target : pass.targets) addTarget(target, PassAccess::kColorReadWrite, PassAccess::kColorWrite);
+  if (pass.depthTarget) addTarget(*pass.depthTarget, PassAccess::kDepthReadWrite, PassAccess::kDepthWrite);
+  std::uint64_t bytes = 0;
+  for (const auto& [part, size] : parts) bytes += size;
+  return bytes;
 }
 
 }  // namespace tyndall::host

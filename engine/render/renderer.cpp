@@ -1,5 +1,6 @@
 // Puts the frame together: blocks, passes in order, effect, output.
 #include "base/assert.hpp"
+#include "base/hash.hpp"
 #include "debug_views.hpp"
 #include "draw_record.hpp"
 #include "passes.hpp"
@@ -133,7 +134,7 @@ Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) 
   frame->lightBlocks = (*ranges)[1];
   frame->instanceBlocks = (*ranges)[2];
   frame->materialBlocks = (*ranges)[3];
-  frame->materialsHash = bytesHash(materials);
+  frame->materialsHash = Hash().bytes(materials).value();
   return frame;
 }
 

@@ -1,34 +1,10 @@
 #include "shadow_cache.hpp"
 
 #include <algorithm>
-#include <cstring>
+
+#include "base/hash.hpp"
 
 namespace tyndall::render {
-namespace {
-
-/// FNV-1a, 64 bit.
-class Hash {
- public:
-  template <class T>
-  Hash& add(const T& value) {
-    unsigned char bytes[sizeof(T)];
-    std::memcpy(bytes, &value, sizeof(T));
-    for (const unsigned char byte : bytes) value_ = (value_ ^ byte) * 1099511628211ull;
-    return *this;
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 14695981039346656037ull;
-};
-
-}  // namespace
-
-std::uint64_t bytesHash(std::span<const std::byte> bytes) {
-  Hash hash;
-  for (const std::byte byte : bytes) hash.add(byte);
-  return hash.value();
-}
 
 std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit) {
   // The order of draws follows the camera and is not a part of it.

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <span>
 
 #include "base/result.hpp"
 #include "frame_data.hpp"
@@ -18,7 +17,6 @@ struct KeptShadowMap {
   std::uint64_t content = 0;  ///< contentOf() what was drawn last
 };
 
-std::uint64_t bytesHash(std::span<const std::byte> bytes);
 /// A hash of all that a map shows: the casters with their transforms and materials, and the light's matrices.
 std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit);
 

@@ -31,7 +31,9 @@ LIB Real distanceAtTransmittanceShare(Real sigma_t, Real length_, Real u) {
 // `cosine` is that of the angle between the direction the light travels and the direction it is scattered to; g > 0 is
 // forward: brightest when looking towards the light.
 LIB Real phaseHenyeyGreenstein(Real cosine, Real g) {
-  Real d = R(1.0) + g * g - R(2.0) * g * cosine;
+  // 1 + g^2 - 2 g cos = (1 - |g|)^2 + 2 |g| (1 -+ cos): a sum of what is positive, where the lobe is narrow too.
+  Real a = abs(g), narrow = R(1.0) - a;
+  Real d = narrow * narrow + R(2.0) * a * (R(1.0) - (g < R(0.0) ? -cosine : cosine));
   d = max(d, R(1e-12)); // 0 only for |g| = 1
-  return (R(1.0) - g * g) * R(0.07957747154594767) / (d * sqrt(d)); // 1/(4 pi)
+  return narrow * (R(1.0) + a) * R(0.07957747154594767) / (d * sqrt(d)); // 1/(4 pi)
 }

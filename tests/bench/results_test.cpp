@@ -25,7 +25,7 @@ PointFigures point(const std::string& key, double ms, double error) {
 Results sample() {
   Results r;
   r.device = "a device", r.driver = "1.0", r.sweep = "quick", r.started = "2026-01-01T00:00:00Z", r.command = "tyndall bench --sweep quick";
-  r.copyGigabytes = 12.5;
+  r.copyGigabytes = 12.5, r.repetitions = 3;
   r.settings = {{"shadows.resolution", "4096"}};
   r.levels = {{"hall", 0, 1000, 2, true, 512, 0.003}};
   r.points = {point("one", 4, 0.02), point("two", 8, 0.01)};
@@ -35,6 +35,7 @@ Results sample() {
   r.points.push_back(failed);
   r.points[1].paper = PaperFigure{"Klehm 2014", "Table 1", "row", 1.5, {}};
   r.points[1].baselineKey = "one";
+  r.points[1].movedBytes = 987654321012u;
   return r;
 }
 
@@ -48,6 +49,9 @@ TEST(Results, GoThereAndBack) {
   EXPECT_FALSE(read->find("two")->paper->ratio);
   EXPECT_EQ(read->find("two")->baselineKey, "one");
   EXPECT_EQ(read->find("one")->memoryBytes, 123456789012u);
+  EXPECT_FALSE(read->find("one")->movedBytes);
+  EXPECT_EQ(read->find("two")->movedBytes, 987654321012u);
+  EXPECT_EQ(read->repetitions, 3u);
   EXPECT_FALSE(read->find("one")->truth->silhouettes);
   EXPECT_EQ(read->find("three")->failure, "out of memory");
   EXPECT_EQ(read->find("four"), nullptr);

@@ -45,6 +45,7 @@ TEST_F(Bench, MeasuresOnceAndGoesOn) {
     EXPECT_EQ(p["volumetrics_ms"]["n"], 2);
     EXPECT_GT(p["memory_bytes"], 0);
     EXPECT_GT(p["shadow_ms"]["median"], 0.0);
+    EXPECT_TRUE(p["floor_bytes"].is_null()) << "two lights take turns";
     errors[p["label"]] = p["error"]["truth"]["all"]["nrmse"];
   }
   // More steps, more levels: less error.
@@ -57,6 +58,12 @@ TEST_F(Bench, MeasuresOnceAndGoesOn) {
   const Outcome second = tyndall(kCall, cache());
   ASSERT_EQ(second.status, 0) << second.err;
   EXPECT_EQ(Json::parse(readText(folder_ / "r/results.json"))["points"], results["points"]);
+
+  auto moreOften = kCall;
+  moreOften.insert(moreOften.end(), {"--repetitions", "7"});
+  const Outcome mixed = tyndall(moreOften, cache());
+  EXPECT_EQ(mixed.status, 1);
+  EXPECT_NE(mixed.err.find("7"), std::string::npos) << mixed.err;
 
   const Outcome ratios = tyndall({"bench", "--compare", "r/results.json", "r/results.json"});
   EXPECT_EQ(ratios.status, 0);

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include <glm/gtc/matrix_transform.hpp>
-
+#include "bench/error_split.hpp"
+#include "bench/truths.hpp"
 #include "truth/truth.hpp"
 
 namespace tyndall::figures {
@@ -44,29 +44,11 @@ Laboratory::Laboratory(const std::string& level, std::uint32_t camera, std::uint
 }
 
 void Laboratory::turn(double degrees) {
-  request_.camera = start_;
-  const glm::mat4 turned = glm::rotate(glm::mat4(1), static_cast<float>(glm::radians(degrees)), glm::vec3(0, 1, 0));
-  const glm::vec4 place = start_.worldFromView[3];
-  glm::mat4 axes = start_.worldFromView;
-  axes[3] = glm::vec4(0, 0, 0, 1);
-  request_.camera.worldFromView = turned * axes;
-  request_.camera.worldFromView[3] = place;
+  request_.camera = bench::turned(start_, degrees);
 }
 
 std::vector<glm::vec2> Laboratory::lightsInPicture() const {
-  const glm::vec2 size(static_cast<float>(request_.width), static_cast<float>(request_.height));
-  const glm::mat3 axes(start_.worldFromView);
-  const glm::vec3 eye(start_.worldFromView[3]);
-  std::vector<glm::vec2> places;
-  for (const scene::LightView& light : session_->level()->lights(0)) {
-    const glm::vec3 towards = light.light.kind == scene::LightKind::kDirectional ? -light.direction : light.position - eye;
-    const glm::vec3 v = glm::transpose(axes) * towards;
-    if (v.z >= 0) continue;
-    const float reach = glm::tan(0.5f * start_.camera.yfov);
-    const glm::vec2 onScreen(v.x / (-v.z * reach * size.x / size.y), v.y / (-v.z * reach));
-    places.push_back({0.5f * size.x * (1 + onScreen.x), 0.5f * size.y * (1 - onScreen.y)});
-  }
-  return places;
+  return bench::lightsInPicture(session_->level()->lights(0), start_, {request_.width, request_.height});
 }
 
 Shot Laboratory::frame() {

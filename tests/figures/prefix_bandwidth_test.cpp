@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/stand.hpp"
 #include "laboratory.hpp"
 #include "table.hpp"
 
@@ -18,37 +19,6 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Bytes a second, read and written, of copying 64 MiB on the device.
-double copyRate(Laboratory& lab) {
-  constexpr std::uint64_t kBytes = 64ull << 20;
-  app::Session& session = lab.session();
-  const auto make = [&](const char* name) {
-    auto made = session.device().createBuffer({name, kBytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
-    EXPECT_TRUE(made);
-    return made.take();
-  };
-  const gpu::Buffer from = make("from"), to = make("to");
-  std::vector<double> times;
-  for (int i = 0; i < kFrames; ++i) {
-    auto commands = session.device().beginFrame();
-    EXPECT_TRUE(commands);
-    render::Graph graph(session.device(), session.graphMemory());
-    const render::BufferRef a = graph.import(from), b = graph.import(to);
-    graph.pass("copy").use(a, render::Use::kTransferRead).use(b, render::Use::kTransferWrite).keep().run([a, b](render::PassContext& pass) {
-      const VkBufferCopy region{0, 0, kBytes};
-      vkCmdCopyBuffer(pass.commands(), pass.buffer(a), pass.buffer(b), 1, &region);
-    });
-    EXPECT_TRUE(graph.compile());
-    auto stamps = gpu::Timestamps::create(session.device(), 4);
-    EXPECT_TRUE(stamps);
-    graph.record(*commands, &*stamps);
-    EXPECT_TRUE(session.device().endFrame());
-    EXPECT_TRUE(session.device().waitIdle());
-    times.push_back(stamps->milliseconds().at(0));
-  }
-  return 2e3 * kBytes / median(times);
-}
-
 /// What one prefix pass has to move, bytes: every rectified depth once for each group of functions, every result once.
 struct Case {
   const char* name;
@@ -59,7 +29,9 @@ struct Case {
 TEST(PrefixBandwidth, Table) {
   Laboratory lab("hall", 0, 320, 180);
   Report report("prefix_bandwidth");
-  const double rate = copyRate(lab);
+  const auto copied = bench::copyRate(lab.session());
+  ASSERT_TRUE(copied) << copied.error().message;
+  const double rate = *copied;
   report.line("Device: " + lab.device() + ". Copy: " + figure(rate / 1e9) + " GB/s (read and written). Map 1024², K = 3, bounds.");
   report.line("");
   report.head({"technique", "scheme", "MB", "ms", "GB/s", "share of the copy"});

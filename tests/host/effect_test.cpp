@@ -44,6 +44,7 @@ TEST_F(Effect, theTemplateIsTheClosedForm) {
   }
   EXPECT_TRUE(ran("fog"));
   EXPECT_EQ(effect_->memoryBytes(), kWidth * kHeight * 16u);
+  EXPECT_EQ(effect_->bytesMoved(), kWidth * kHeight * 16u) << "the picture is written, and the depth is the engine's";
 }
 
 TEST_F(Effect, nothingToDoIsAnEmptyRef) {
@@ -79,6 +80,7 @@ TEST_F(Effect, everyKindOfPass) {
     EXPECT_TRUE(ran(pass)) << pass;
   EXPECT_FALSE(ran("light [light 3]"));
   for (const auto& time : times_) EXPECT_TRUE(time.owner == "passes" || time.name == "read back") << time.name;
+  EXPECT_FALSE(effect_->bytesMoved()) << "two lights take turns";
   // Two full-size RGBA32F images, one R32F, the output, 3 layers of 2 mips, three buffers.
   const std::uint64_t texels = kWidth * kHeight;
   EXPECT_EQ(effect_->memoryBytes(), texels * (16 + 16 + 4 + 16) + 3 * 4 * (4 * texels + texels) + 16 + 8 + 16);

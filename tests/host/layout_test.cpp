@@ -166,6 +166,24 @@ TEST(Layout, onePassMayReadSomePartsOfAnImageAndWriteOthers) {
   EXPECT_TRUE(readsOld(PassAccess::kSampledStorage) && writesTo(PassAccess::kSampledStorage));
 }
 
+TEST(Layout, bytesMovedAreThoseOfEveryPartOnceInEachDirection) {
+  Given given;
+  auto copy = copyLayout(&given.layout);
+  ASSERT_TRUE(copy);
+  const auto moved = [&](std::uint32_t pass) { return bytesMoved(*copy, copy->passes[pass], 1000); };
+  constexpr std::uint64_t kTexels = 64 * 32, kMips = 2048 + 512 + 128 + 32 + 8 + 2;
+  EXPECT_EQ(moved(kFill), 4 * kTexels * 4 + 64) << "mip 0 of four layers and a buffer, no scene depth";
+  EXPECT_EQ(moved(kLight), kTexels * 8 + 4 * kMips * 4) << "all mips read, no shadow map";
+  EXPECT_EQ(moved(kSum), kTexels * 8 + 2 * kTexels * 4 + 16 * kTexels * 2 + 2 * 8) << "history and a buffer both ways";
+  EXPECT_EQ(moved(kScreen), 16 * kTexels * 2 + 64 + 1000 + kTexels * 4 + kTexels * 4) << "cleared targets";
+  EXPECT_EQ(moved(kIndirect), 2 * 1000 + kTexels * 4);
+  given.targets[0].load = 1;
+  given.bindings[kLight][1] = Given::bind(1, TY_SOURCE_IMAGE, kArray, TY_ACCESS_SAMPLED);
+  auto loaded = copyLayout(&given.layout);
+  EXPECT_EQ(bytesMoved(*loaded, loaded->passes[kScreen], 1000), moved(kScreen) + 1000);
+  EXPECT_EQ(bytesMoved(*loaded, loaded->passes[kLight], 1000), moved(kLight)) << "two bindings of one image";
+}
+
 TEST(Layout, theCopyOutlivesThePlugin) {
   auto given = std::make_unique<Given>();
   auto layout = copyLayout(&given->layout);

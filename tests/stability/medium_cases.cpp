@@ -67,7 +67,7 @@ double errorOf(const MediumCase& c, const std::array<float, 2>& got) {
     }
     case Routine::kPhase: {
       const Long s = 1 + b * b - 2 * b * a;
-      return relative(got[0], (1 - b * b) / (4 * std::acos(-1.0L) * s * std::sqrt(s))) * static_cast<double>(1 - std::abs(b));
+      return relative(got[0], (1 - b * b) / (4 * std::acos(-1.0L) * s * std::sqrt(s)));
     }
     case Routine::kInclination: return apart(got[0], std::atan2(a, b));
     case Routine::kNormalisedInclination:

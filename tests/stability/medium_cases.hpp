@@ -39,7 +39,7 @@ inline constexpr std::array<RoutineRow, static_cast<std::size_t>(Routine::kCount
     {"transmittanceIntegral, relative / (1 + depth)", 1.5e-6},  // the same, and the argument of exp rounds with the depth
     {"distanceAtTransmittanceShare, missed share", 6e-5},     // above x = 1e-3 the log of a number rounded next to 1: 6e-8 / x
     {"runningWeight, relative / (1 + depth)", 1.5e-6},
-    {"phaseHenyeyGreenstein, relative * (1 - |g|)", 2e-6},      // 1 + g^2 - 2 g cos cancels towards |g| = 1
+    {"phaseHenyeyGreenstein, relative", 1e-6},
     {"inclination, radians", 5e-7},
     {"normalisedInclination * range", 1e-6},
     {"chebyshevLagrange, sum of 1 to 6 weights - 1", 4e-6},     // weights up to 1 on [-1, 1], six of five factors each
@@ -63,7 +63,13 @@ inline MediumCase makeMediumCase(Random& random, Routine routine) {
       c.in = {f(wide(1e-12, 1e2)), f(random.decades(1e-3, 1e5)), f(random.next() < 0.05 ? std::round(random.next()) : random.next())};
       break;
     case Routine::kRunningWeight: c.in = {f(std::floor(wide(1, 4096))), f(wide(1e-12, 1e4))}; break;
-    case Routine::kPhase: c.in = {f(random.between(-1, 1)), f(random.between(-0.999, 0.999))}; break;
+    case Routine::kPhase: {
+      // Everywhere, and towards both ends: the narrower the lobe, the more what lies near its middle counts.
+      const auto towardsOne = [&](double least) { return (random.next() < 0.5 ? -1 : 1) * (1 - random.decades(least, 1)); };
+      const bool ends = random.next() < 0.5;
+      c.in = {f(ends ? towardsOne(1e-9) : random.between(-1, 1)), f(ends ? towardsOne(1e-3) : random.between(-0.999, 0.999))};
+      break;
+    }
     case Routine::kInclination: c.in = {f(wide(1e-12, 1e6)), f((random.next() < 0.5 ? -1 : 1) * random.decades(1e-12, 1e6))}; break;
     case Routine::kNormalisedInclination: {
       const double low = random.between(0, 3.1);

@@ -105,7 +105,7 @@ std::string floors(const Context& context, const Points& chosen, Reference refer
   if (!copy || !(*copy > 0)) return {};
   RowChart chart;
   chart.title = "Share of the bandwidth floor";
-  chart.x = {"bandwidth floor / time, percent (100: nothing but the bytes that must move)", Scale::kLinear, true};
+  chart.x = {"bandwidth floor / time, percent (100: as fast as memory is copied)", Scale::kLinear, true};
   chart.noteWidth = 230;
   for (const Point* p : chosen) {
     if (!p->floorBytes || !p->volumetrics || !(p->volumetrics->median > 0)) continue;
@@ -122,10 +122,11 @@ std::string floors(const Context& context, const Points& chosen, Reference refer
              ? ""
              : figureBlock(
                    {plot}, "",
-                   "Bytes that the technique must move a frame, divided by the bandwidth of a copy measured on the "
-                   "device (" +
+                   "Every part of the plugin's images, and of the picture, that a pass is bound to, moved once a pass: these bytes over the "
+                   "bandwidth of a copy measured on the device (" +
                        figure(*copy) +
-                       " GB/s, read and written), as a share of the time. Over 100 percent: caches served a part.");
+                       " GB/s, read and written), as a share of the time. What is read of the engine's maps is not counted. Over 100 percent: "
+                       "caches served a part, or a pass read a part of an image only. Small shares: arithmetic or scattered reads bind.");
 }
 
 std::string parts(const Points& chosen, Reference reference) {

@@ -49,6 +49,7 @@ struct PointFigures {
   Spread gpu, volumetrics, shadows;
   std::vector<PassMs> passes;
   std::uint64_t memoryBytes = 0;
+  std::optional<std::uint64_t> movedBytes;  ///< PluginEffect::bytesMoved()
   std::optional<SplitErrors> truth, march;
   std::optional<double> motionError, flicker;
   std::optional<PaperFigure> paper;
@@ -58,6 +59,7 @@ struct PointFigures {
 
 struct Results {
   std::string device, driver, sweep, started, command;
+  std::uint32_t repetitions = 0;        ///< asked for
   std::optional<double> copyGigabytes;  ///< a second, read and written
   Assignments settings;
   std::vector<LevelFigures> levels;

@@ -12,6 +12,9 @@ namespace tyndall::bench {
 /// Whether a pass draws the engine's shadow maps.
 bool isShadowPass(const render::PassTime& pass);
 
+/// Bytes a second that the session's device copies, read and written.
+Result<double> copyRate(app::Session& session);
+
 class Stand {
  public:
   static Result<std::unique_ptr<Stand>> open(std::unique_ptr<app::Catalogue> catalogue, const std::string& device);
@@ -20,8 +23,6 @@ class Stand {
   app::Session& session() { return *session_; }
   app::Catalogue& catalogue() { return session_->catalogue(); }
 
-  /// Bytes a second that the device copies, read and written.
-  Result<double> copyRate();
   /// Renders `frames` frames with the settings and keeps the times of the last one; its scattered light if asked for. Shadow maps are kept from
   /// frame to frame (shadows.reuse): see shadowTime().
   Result<void> render(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int frameCount, bool scatter);

@@ -100,6 +100,10 @@ class PluginEffect : public render::Effect {
   /// What the passes of the last finished frame used: images, buffers, the output, each on its own. Those of passes
   /// that the graph dropped (debug views that are not shown) do not count, history always does.
   std::uint64_t memoryBytes() const;
+  /// Bytes that the passes of the last finished frame moved if each read and wrote every part of the plugin's own images and buffers, and of the
+  /// output, that it was bound to once: over a device's bandwidth, about the least time that they can take. Nothing where several lights have
+  /// passes: they take turns in images of which each uses a part.
+  std::optional<std::uint64_t> bytesMoved() const;
   /// What the passes of each light, most important first, touched in the last finished frame, the output aside. Lights take turns in the same
   /// memory, so that these do not add up to memoryBytes(); 0: the light reached no view ray, or has no passes of its own.
   std::vector<std::uint64_t> lightMemoryBytes() const;

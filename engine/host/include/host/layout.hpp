@@ -123,5 +123,8 @@ inline bool isHistory(const LayoutBuffer& buffer) { return (buffer.d.flags & TY_
 bool isInteger(std::uint32_t format);             ///< a *_UINT format
 std::uint32_t formatBytes(std::uint32_t format);  ///< of one texel; 0 for an unknown format
 std::uint64_t imageBytes(const TyImage& image);   ///< of all mips and layers, tightly packed
+/// Bytes that one run of a pass moves if every part of the layout's images and buffers, and of an output of `outputBytes`, that it is bound to is
+/// read once, written once, or both; what is the engine's does not count.
+std::uint64_t bytesMoved(const Layout& layout, const LayoutPass& pass, std::uint64_t outputBytes);
 
 }  // namespace tyndall::host
