@@ -27,7 +27,7 @@ vec3 cookieColor(CookieBlock c, vec3 position, mat2x3 footprint) {
   vec4 p = c.cookieFromWorld * vec4(position, 1.0);
   vec4 dx = c.cookieFromWorld * vec4(footprint[0], 0.0), dy = c.cookieFromWorld * vec4(footprint[1], 0.0);
   uint layer = c.layer;
-  if (c.faces == 6u) {
+  if (opaque(c.faces) == 6u) {
     uint face = cubeFace(p.xyz);
     layer += face;
     p = cubePlace(face, p.xyz), dx = cubePlace(face, dx.xyz), dy = cubePlace(face, dy.xyz);

@@ -12,15 +12,16 @@
 #include "engine/include/moment_shadow.glsl"
 #include "engine/include/shadow.glsl"
 #include "engine/include/cookie.glsl"
+#include "engine/include/opaque.glsl"
 
 vec3 directionTo(LightCore light, vec3 position) {
-  return light.kind == kLightDirectional ? -light.direction : normalize(light.position - position);
+  return opaque(light.kind) == kLightDirectional ? -light.direction : normalize(light.position - position);
 }
 
 // Irradiance on a plane that faces the light at `position`, without shadow. KHR_lights_punctual: inverse square, the
 // range's window (recommended there, after Karis 2013, Real Shading in Unreal Engine 4, equation 9) and the cone.
 vec3 irradianceFrom(LightCore light, vec3 position) {
-  if (light.kind == kLightDirectional) return light.intensity;
+  if (opaque(light.kind) == kLightDirectional) return light.intensity;
   vec3 to = light.position - position;
   // A point on the light itself would give infinity: the inverse square ends at 1 mm.
   float d2 = max(dot(to, to), 1e-6);
@@ -29,7 +30,7 @@ vec3 irradianceFrom(LightCore light, vec3 position) {
     float q = d2 / (light.range * light.range);
     attenuation *= clamp(1.0 - q * q, 0.0, 1.0);
   }
-  if (light.kind == kLightSpot) {
+  if (opaque(light.kind) == kLightSpot) {
     float cosine = dot(light.direction, -to) * inversesqrt(d2);
     float cone = clamp(cosine * light.spotScale + light.spotOffset, 0.0, 1.0);
     attenuation *= cone * cone;
@@ -48,7 +49,7 @@ vec3 irradianceFrom(LightCore light, vec3 position) {
       lit = momentFilter(shadowMap##i, i, s.position, s.normal, l);                            \
     }                                                                                          \
     vec3 arriving = irradianceFrom(shadowedLights[i].core, s.position);                        \
-    if (COOKIES && shadowedLights[i].cookie.faces != 0u)                                       \
+    if (COOKIES && opaque(shadowedLights[i].cookie.faces) != 0u)                                \
       arriving *= cookieColor(shadowedLights[i].cookie, s.position, footprint);                \
     sum += arriving * lit * reflectPunctual(s, l);                                             \
   }
@@ -61,7 +62,7 @@ vec3 reflectLights(Surface s, uint first, uint count) {
   TY_SHADOW_SLOT(1)
   TY_SHADOW_SLOT(2)
   TY_SHADOW_SLOT(3)
-  for (uint i = first; i < first + count; ++i) {
+  for (uint i = first, end = opaque(first + count); i < end; ++i) {
     LightCore light = lights[i].core;
     vec3 arriving = irradianceFrom(light, s.position);
     if (COOKIES && lights[i].cookie.faces != 0u) arriving *= cookieColor(lights[i].cookie, s.position, footprint);

@@ -4,6 +4,7 @@
 #define TYNDALL_MATERIAL_GLSL
 #include "shared/surface.h"
 #include "shared/view.h"
+#include "engine/include/opaque.glsl"
 
 layout(binding = 0, scalar) uniform ViewUniform { ViewBlock view; };
 // A uniform block and not an array in a storage buffer: llvmpipe loads zeros from storage buffers in the helper
@@ -81,7 +82,7 @@ MaterialSample sampleMaterial() {
   }
   s.emissive = material.emissive;
   if (has(kEmissiveMap)) s.emissive *= texture(emissiveMap, transformUv(material.emissiveUv, inUv)).rgb;
-  s.unlit = (material.flags & kMaterialUnlit) != 0u;
+  s.unlit = (opaque(material.flags) & kMaterialUnlit) != 0u;
   return s;
 }
 

@@ -6,6 +6,7 @@
 #include "shared/light.h"
 #include "lib/portable.h"
 #include "lib/cube_map.glsl"
+#include "engine/include/opaque.glsl"
 
 // The includer declares `LightBlock shadowedLights[kShadowSlots]`.
 
@@ -19,13 +20,13 @@ const float kLightOffsetTexels = 0.5;
 // The layer of the map of shadowedLights[slot] that a place lies in.
 // (A slot, not a struct: copies of a light with its six matrices are dear on software devices.)
 uint shadowFace(uint slot, vec3 position) {
-  return shadowedLights[slot].core.kind == kLightPoint ? cubeFace(position - shadowedLights[slot].core.position) : 0u;
+  return opaque(shadowedLights[slot].core.kind) == kLightPoint ? cubeFace(position - shadowedLights[slot].core.position) : 0u;
 }
 
 // Clip position of the receiver in the map of shadowedLights[slot] (w divided out) and the layer; xy outside [-1, 1]:
 // unshadowed. `normalTexels`: how far the receiver is moved along its normal where light grazes it.
 vec4 shadowPlace(uint slot, vec3 position, vec3 normal, vec3 towardsLight, float normalTexels) {
-  uint kind = shadowedLights[slot].core.kind;
+  uint kind = opaque(shadowedLights[slot].core.kind);
   vec3 from = position - shadowedLights[slot].core.position;
   vec3 a = abs(from);
   uint face = shadowFace(slot, position);
