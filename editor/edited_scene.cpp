@@ -33,7 +33,7 @@ LightEdit lightAt(const scene::Scene& scene, int node) {
 
 NodeEdit nodeAt(const scene::Scene& scene, int index) {
   const scene::Node& node = scene.nodes[at(index)];
-  return {node.translation, node.rotation, node.matrix};
+  return {node.translation, node.rotation, node.scale, node.matrix};
 }
 
 MaterialEdit materialAt(const scene::Scene& scene, int index) {
@@ -49,7 +49,7 @@ void setLight(scene::Scene& scene, int node, const LightEdit& edit) {
 
 void setNode(scene::Scene& scene, int index, const NodeEdit& edit) {
   scene::Node& node = scene.nodes[at(index)];
-  node.translation = edit.translation, node.rotation = edit.rotation, node.matrix = edit.matrix;
+  node.translation = edit.translation, node.rotation = edit.rotation, node.scale = edit.scale, node.matrix = edit.matrix;
 }
 
 void setMaterial(scene::Scene& scene, int index, const MaterialEdit& edit) {

@@ -32,6 +32,12 @@ std::optional<glm::vec2> onScreen(const PictureView& view, const glm::vec3& poin
   return view.low + (ndc * 0.5f + 0.5f) * view.size;
 }
 
+glm::vec3 directionThrough(const PictureView& view, const glm::vec2& place) {
+  const float slope = std::tan(view.camera.camera.yfov / 2), aspect = view.size.x / view.size.y;
+  const glm::vec2 ndc = (place - view.low) / view.size * 2.0f - 1.0f;
+  return glm::mat3(view.camera.worldFromView) * glm::vec3(ndc.x * slope * aspect, -ndc.y * slope, -1);
+}
+
 struct Gizmo::Scope {
   ImDrawList& list;
   const PictureView& view;

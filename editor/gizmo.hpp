@@ -19,6 +19,8 @@ struct PictureView {
 };
 /// A world point in points of the window; nothing behind the camera.
 std::optional<glm::vec2> onScreen(const PictureView& view, const glm::vec3& point);
+/// From the eye through a place of the window, in points; world, of some length.
+glm::vec3 directionThrough(const PictureView& view, const glm::vec2& place);
 
 class Gizmo {
  public:

@@ -10,6 +10,7 @@ namespace {
 
 constexpr float kMaxIntensity = 1e7f, kMaxEmissive = 1e5f;
 constexpr float kMinCone = 1, kMaxCone = 89.9f, kConeGap = 0.1f;  // degrees: the inner cone is smaller than the outer
+constexpr float kMinScale = 1e-3f, kMaxScale = 1e3f;              // of either sign: a mirrored node stays mirrored
 constexpr float kMaxHeight = 89.9f;                               // degrees: straight up has no azimuth
 constexpr float kRoom = -90;                                      // points that the names take
 
@@ -32,6 +33,23 @@ void tell(Workspace& workspace, const char* name, std::initializer_list<float> v
   std::string text;
   for (const float value : values) text += (text.empty() ? "" : " ") + std::to_string(value);
   workspace.facts[name] = text;
+}
+
+/// The node's own scale along its axes; signs stay.
+bool scaleField(const scene::Scene& scene, int node, NodeEdit& edit, Workspace& workspace) {
+  tell(workspace, "node.scale", {edit.scale.x, edit.scale.y, edit.scale.z});
+  if (isAnimated(scene, node, scene::AnimationTarget::kScale)) {
+    ImGui::TextColored(kDimColor, "an animation scales it");
+    return false;
+  }
+  glm::vec3 wanted = edit.scale;
+  ImGui::SetNextItemWidth(kRoom);
+  const bool changed = ImGui::DragFloat3("scale", &wanted.x, 0.01f, -kMaxScale, kMaxScale, "%.3f", ImGuiSliderFlags_AlwaysClamp);
+  workspace.place("node scale");
+  if (!changed) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (wanted[axis] != edit.scale[axis]) edit.scale[axis] = std::copysign(std::clamp(std::abs(wanted[axis]), kMinScale, kMaxScale), edit.scale[axis]);
+  return true;
 }
 
 }  // namespace
@@ -113,6 +131,7 @@ bool placeFields(const scene::Scene& scene, const std::vector<glm::mat4>& worldF
       edit.setPosition(wanted), changed = true;
     workspace.place(kind + "position");
   }
+  if (!isLight && !edit.matrix) changed |= scaleField(scene, node, edit, workspace);
   if (isAnimated(scene, node, scene::AnimationTarget::kRotation)) {
     ImGui::TextColored(kDimColor, "an animation turns it");
     return changed;

@@ -4,11 +4,13 @@
 #include <utility>
 
 #include "level_fields.hpp"
+#include "picking.hpp"
 
 namespace tyndall::editor {
 namespace {
 
-constexpr float kPick = 8;  // points: how near the mouse selects a light's mark
+constexpr float kPick = 8;   // points: how near the mouse selects a light's mark
+constexpr float kStill = 3;  // points: a press that goes further is a drag, and selects nothing
 
 const char* kindName(scene::LightKind kind) {
   switch (kind) {
@@ -54,12 +56,16 @@ void LevelPanel::reset(scene::Scene& scene) {
     (parent == scene::kNone ? roots_ : children_[at(parent)]).push_back(i);
   }
   selected_.reset();
+  pressedAt_.reset();
   gizmo_.release();
 }
 
 void LevelPanel::draw(app::Session& session, std::optional<std::uint32_t> camera, Workspace& workspace) {
   shown_ = true;
   edits_ = editsOf(session.level()->scene, file_);
+  workspace.facts["level.selected"] = !selected_                            ? "nothing"
+                                      : selected_->kind == Kind::kMaterial ? "material " + std::to_string(selected_->index)
+                                                                            : "node " + std::to_string(selected_->index);
   workspace.facts["level.edits"] = std::to_string(edits_.lights.size() + edits_.nodes.size() + edits_.materials.size());
   ImGui::BeginChild("tree", {0, ImGui::GetContentRegionAvail().y * (selected_ ? 0.5f : 1.0f)});
   tree(session, camera, workspace);
@@ -170,7 +176,7 @@ glm::vec3 LevelPanel::pivot(const app::Level& level, double seconds) const {
 }
 
 void LevelPanel::drawOver(ImDrawList& list, app::Session& session, const PictureView& view, Workspace& workspace) {
-  if (!std::exchange(shown_, false)) return gizmo_.release();
+  if (!std::exchange(shown_, false)) return pressedAt_.reset(), gizmo_.release();
   const bool pressed = view.hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
   bool held = false;
   if (selected_ && selected_->kind != Kind::kMaterial)
@@ -191,7 +197,17 @@ void LevelPanel::drawOver(ImDrawList& list, app::Session& session, const Picture
     if (const float distance = glm::distance(*place, glm::vec2(at2.x, at2.y)); distance < nearestDistance)
       nearest = node, nearestDistance = distance;
   }
+  const glm::vec2 mouse(at2.x, at2.y);
+  if (pressed) pressedAt_ = held || nearest ? std::nullopt : std::optional(mouse);
   if (pressed && nearest && !held) selected_ = Selection{Kind::kLight, *nearest};
+  if (pressedAt_ && glm::distance(*pressedAt_, mouse) > kStill) pressedAt_.reset();
+  if (!pressedAt_ || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
+  pressedAt_.reset();
+  const glm::vec3 eye(view.camera.worldFromView[3]);
+  if (const auto node = nodeUnder(scene, worldFromNode, eye, directionThrough(view, mouse)))
+    selected_ = Selection{scene.nodes[at(*node)].light != scene::kNone ? Kind::kLight : Kind::kNode, *node};
+  else
+    selected_.reset();  // the sky
 }
 
 }  // namespace tyndall::editor

@@ -22,6 +22,7 @@ struct LightEdit {
 struct NodeEdit {
   glm::vec3 translation{0};
   glm::quat rotation{1, 0, 0, 0};
+  glm::vec3 scale{1};
   std::optional<glm::mat4> matrix;  ///< of a node that the file gave one: the others are then not used
   glm::vec3 position() const { return matrix ? glm::vec3((*matrix)[3]) : translation; }
   void setPosition(const glm::vec3& p) { matrix ? void((*matrix)[3] = glm::vec4(p, 1)) : void(translation = p); }

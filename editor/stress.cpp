@@ -23,6 +23,7 @@ constexpr std::uint32_t kMostQuietFrames = 5000;  // for a build that never ends
 // the process only where the driver is no part of it to speak of: with llvmpipe every frame, also of `tyndall render`,
 // leaves about 2 MiB behind (docs/results/hitch.md).
 constexpr double kDeviceGrowthMiB = 16, kResidentGrowthMiB = 128;
+constexpr std::uint32_t kLongRun = 1000;  // steps from which on a line is printed at each return
 constexpr std::size_t kPrinted = 8;  // different texts of a list
 
 /// Maps so small that drawing is cheap, and nothing on automatic.
@@ -73,6 +74,8 @@ Result<bool> Stress::act(const Stage& stage) {
     if (quiet_ < kQuietFrames && pause_ < kMostQuietFrames) return true;
     if (quiet_ < kQuietFrames) unexpected_.push_back("the background build does not end");
     atHome_.push_back({residentBytes(), stage.session.device().allocatedBytes()});
+    if (steps_ >= kLongRun)
+      std::fprintf(stderr, "tyndall: stress: step %u of %u, %.0f MiB\n", step_, steps_, mebibytes(atHome_.back().resident));
     pause_ = quiet_ = 0;
     mode_ = Mode::kRoaming;
     if (step_ == steps_) return false;

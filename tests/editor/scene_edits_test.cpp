@@ -44,6 +44,9 @@ TEST(SceneEdits, SharedLightsAreEditedApartAndTheFileComesBack) {
   NodeEdit place = file.nodes[0];
   place.setPosition({4, 5, 6});
   setNode(scene, 0, place);
+  NodeEdit scaled = file.nodes[3];
+  scaled.scale = {-1.5f, 3, 1.5f};
+  setNode(scene, 3, scaled);
   MaterialEdit material = file.materials[1];
   material.roughness = 0.25f;
   setMaterial(scene, 1, material);
@@ -51,9 +54,10 @@ TEST(SceneEdits, SharedLightsAreEditedApartAndTheFileComesBack) {
   EXPECT_EQ(scene::placedLights(scene, scene::worldMatrices(scene, 0))[0].light.intensity, 1);
   EXPECT_EQ(positionOf(scene, 0), glm::vec3(4, 5, 6));
   EXPECT_EQ(scene.materials[1].roughness, 0.25f);
+  EXPECT_EQ(scene.nodes[3].scale, glm::vec3(-1.5f, 3, 1.5f));
   const SceneEdits changed = editsOf(scene, file);
   EXPECT_EQ(changed.lights.size(), 1u);
-  EXPECT_EQ(changed.nodes.size(), 1u);
+  EXPECT_EQ(changed.nodes.size(), 2u);
   EXPECT_EQ(changed.materials.size(), 1u);
   applyEdits(scene, file, {});
   EXPECT_TRUE(editsOf(scene, file).empty());
@@ -99,7 +103,7 @@ TEST(SceneEdits, TheShortestTurnGoesWhereItShould) {
 }
 
 TEST(SceneEdits, AFlatParentLeadsNowhere) {
-  const NodeEdit node{{1, 2, 3}, {1, 0, 0, 0}, {}};
+  const NodeEdit node{.translation = {1, 2, 3}};
   const glm::mat4 flat = glm::scale(glm::mat4(1), glm::vec3(1, 0, 1));
   EXPECT_EQ(moved(node, flat, {1, 1, 1}), node);
   EXPECT_EQ(turned(node, flat, {}, glm::angleAxis(1.0f, glm::vec3(0, 1, 0))), node);

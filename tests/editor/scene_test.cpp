@@ -132,6 +132,32 @@ TEST_F(SceneTest, NodesAreMovedAndTurnedByTheirHandles) {
   quit();
 }
 
+TEST_F(SceneTest, AClickInThePictureSelectsTheMeshUnderIt) {
+  const auto clickOn = [this](double right, double down) {  // shares of the picture
+    const auto view = state()["widgets"]["viewport"].get<std::vector<double>>();
+    clickAt(view[0] + right * view[2], view[1] + down * view[3]);
+    waitFrames(3);
+  };
+  EXPECT_EQ(fact("level.selected"), "nothing");
+  clickOn(0.5, 0.68);  // the box's front
+  EXPECT_EQ(fact("level.selected"), "node " + std::to_string(kBoxNode));
+  ASSERT_TRUE(appears("node scale"));
+  const image::ByteImage before = lookAtPicture();
+  drag("node scale", 0.1, 0.4);  // its x
+  ASSERT_TRUE(stepIs(1));
+  const auto scale = numbers("node.scale");
+  ASSERT_EQ(scale.size(), 3u);
+  EXPECT_GT(scale[0], 1.1);
+  EXPECT_EQ(scale[1], 1);
+  EXPECT_EQ(scale[2], 1);
+  EXPECT_GT(changedShare(before, lookAtPicture()), 0.005);
+  undo(0);
+  EXPECT_LT(changedShare(before, lookAtPicture()), kNothing);
+  clickOn(0.5, 0.1);  // the sky
+  EXPECT_EQ(fact("level.selected"), "nothing");
+  quit();
+}
+
 TEST_F(SceneTest, LightsAreAimedAndConesOpened) {
   click("section Cameras");
   const std::string lamp = "light at " + std::to_string(kSpotNode), sun = "light at " + std::to_string(kSunNode);
