@@ -33,7 +33,8 @@ class Stress {
 
  private:
   struct Memory {
-    std::uint64_t resident = 0, device = 0;  ///< bytes: of the process; of images and buffers
+    /// Bytes: of the process; of its heaps, what is held; of images and buffers.
+    std::uint64_t resident = 0, allocated = 0, device = 0;
   };
   Result<void> something(const Stage& stage);
   void changeParameter(const Stage& stage);

@@ -3,6 +3,25 @@
 #include <algorithm>
 
 namespace tyndall::render {
+namespace {
+
+// A level's materials ask for a dozen or two; a user who goes through levels and settings, for hundreds, a megabyte each on some drivers.
+constexpr std::size_t kKept = 64;
+constexpr std::uint64_t kKeptFrames = 600;
+
+}  // namespace
+
+void PipelineLibrary::beginFrame() {
+  ++frame_;
+  letGoOfOld(graphics_);
+  letGoOfOld(compute_);
+}
+
+template <class R>
+void PipelineLibrary::letGoOfOld(Entries<R>& entries) {
+  if (entries.size() <= kKept) return;
+  std::erase_if(entries, [this](const auto& entry) { return entry.second.asked + kKeptFrames < frame_; });
+}
 
 Result<gpu::Pipeline> PipelineLibrary::make(const Recipe& recipe) {
   gpu::GraphicsPipelineDesc desc = recipe.desc;
@@ -27,11 +46,14 @@ Result<gpu::Pipeline> PipelineLibrary::make(const ComputeRecipe& recipe) {
 
 template <class R>
 Result<const gpu::Pipeline*> PipelineLibrary::find(Entries<R>& entries, const R& recipe) {
-  const auto known = entries.find(recipe.desc.name);
-  if (known != entries.end()) return &known->second.pipeline;
-  Result<gpu::Pipeline> made = make(recipe);
-  if (!made) return made.error();
-  return &entries.emplace(recipe.desc.name, Entry<R>{recipe, made.take()}).first->second.pipeline;
+  auto entry = entries.find(recipe.desc.name);
+  if (entry == entries.end()) {
+    Result<gpu::Pipeline> made = make(recipe);
+    if (!made) return made.error();
+    entry = entries.emplace(recipe.desc.name, Entry<R>{recipe, made.take()}).first;
+  }
+  entry->second.asked = frame_;
+  return &entry->second.pipeline;
 }
 
 Result<const gpu::Pipeline*> PipelineLibrary::get(const Recipe& recipe) { return find(graphics_, recipe); }

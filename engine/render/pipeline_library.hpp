@@ -1,6 +1,7 @@
 // The frame's pipelines, made at first use and remade when their shaders change.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -29,13 +30,18 @@ class PipelineLibrary {
   PipelineLibrary(gpu::Device& device, const std::filesystem::path& shaderFolder)
       : device_(device), shaders_(shaderFolder) {}
 
-  /// The pointer stays good for the library's life; reload() swaps what it points to.
+  /// Begins a frame: where there are many pipelines, those that no frame of late has asked for go.
+  void beginFrame();
+
+  /// The pointer stays good until the next frame begins; reload() swaps what it points to.
   Result<const gpu::Pipeline*> get(const Recipe& recipe);
   Result<const gpu::Pipeline*> get(const ComputeRecipe& recipe);
 
   /// Recompiles changed shaders and rebuilds the pipelines that use them; what fails keeps its last good pipeline. One
   /// line per shader changed or broken.
   std::vector<std::string> reload();
+
+  std::size_t size() const { return graphics_.size() + compute_.size(); }
 
  private:
   Result<gpu::Pipeline> make(const Recipe& recipe);
@@ -45,6 +51,7 @@ class PipelineLibrary {
   struct Entry {
     R recipe;
     gpu::Pipeline pipeline;
+    std::uint64_t asked = 0;  ///< the last frame that did
   };
   template <class R>
   using Entries = std::map<std::string, Entry<R>>;
@@ -53,8 +60,12 @@ class PipelineLibrary {
   template <class R>
   void remake(Entries<R>& entries, const std::vector<std::string>& changed, std::vector<std::string>& lines);
 
+  template <class R>
+  void letGoOfOld(Entries<R>& entries);
+
   gpu::Device& device_;
   gpu::ShaderFolder shaders_;
+  std::uint64_t frame_ = 0;
   Entries<Recipe> graphics_;
   Entries<ComputeRecipe> compute_;
 };

@@ -140,6 +140,7 @@ Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) 
 
 Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
   TY_ASSERT(state_->resources, "addFrame before setScene");
+  state_->pipelines.beginFrame();
   const VkPhysicalDeviceLimits& limits = state_->device.info().limits;
   const std::uint32_t largest = limits.maxImageDimension2D;
   if (input.width == 0 || input.height == 0 || input.width > largest || input.height > largest) {
