@@ -243,6 +243,17 @@ TEST(Content, ViewsAreNotMixed) {
   EXPECT_EQ(page->all("svg", "plot").size(), 3u);
 }
 
+TEST(Content, WhatIsNoBetterThanBlackIsOnNoFront) {
+  const auto page = pageOf(resultsWith({test::point("dark", "dark", "a", 1, 1.5), test::point("good", "good", "b", 10, 0.1)}));
+  const std::string text = page->text;
+  EXPECT_NE(text.find("dark"), std::string::npos) << "it is plotted";
+  const std::size_t front = text.find("Pareto front: ");
+  ASSERT_NE(front, std::string::npos);
+  const std::string sentence = text.substr(front, 120);
+  EXPECT_NE(sentence.find("good"), std::string::npos) << sentence;
+  EXPECT_EQ(sentence.find("dark"), std::string::npos) << sentence;
+}
+
 TEST(Content, SeriesLookDifferent) {
   std::vector<json> points;
   for (int i = 0; i < 30; ++i)

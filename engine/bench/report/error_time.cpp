@@ -39,11 +39,12 @@ LinePlot plotOf(const Context& context, const Level& level, const View& view, co
   plot.height = 520;
   if (reference == Reference::kTruth && level.truthSelfNrmse && *level.truthSelfNrmse > 0)
     plot.rule = Rule{*level.truthSelfNrmse, "truth's convergence"};
-  const auto all = costErrors(drawn, reference);
+  Points better;
+  const auto all = costErrors(drawn, reference, &better);
   std::set<const Point*> front;
   for (const std::size_t i : paretoFront(all)) {
     plot.front.emplace_back(all[i].error, all[i].cost);
-    front.insert(drawn[i]);
+    front.insert(better[i]);
   }
   for (const auto& [name, own] : bySeries(drawn, context.styles)) {
     Line line = {name, context.styles.of(name), {}, true};
@@ -59,16 +60,16 @@ LinePlot plotOf(const Context& context, const Level& level, const View& view, co
 /// The plot, and in words what it shows; "" without a point that has both time and error.
 std::string figureAndFindings(const Context& context, const Level& level, const View& view, const Points& points,
                               Reference reference) {
-  Points measured, drawn;
-  const auto all = costErrors(points, reference, &measured);
-  if (all.empty()) return {};
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].cost > 0 && all[i].error > 0) drawn.push_back(measured[i]);
+  const Points measured = measuredOf(points, reference);
+  if (measured.empty()) return {};
+  Points drawn;
+  for (const Point* p : measured)
+    if (*timeOf(*p) > 0 && *errorOf(*p, reference) > 0) drawn.push_back(p);
   std::vector<std::string> series;
   const LinePlot plot = plotOf(context, level, view, drawn, reference, series);
   Markup m;
   m.raw(figureBlock({svg(plot)}, legend(series, context.styles),
-                    caption(plot, drawn.size(), points.size() - all.size(), all.size() - drawn.size(), reference)));
+                    caption(plot, drawn.size(), points.size() - measured.size(), measured.size() - drawn.size(), reference)));
   m.open("ul", {{"class", "findings"}});
   for (const Finding& f : findings(context, level, points, reference))
     m.open("li").element("b", f.about + ":").text(" " + f.text).close();
@@ -86,8 +87,7 @@ std::string errorTimePart(const Context& context, const Level& level, const View
   const Reference reference = referenceOf(points);
   const std::string main = figureAndFindings(context, level, view, points, reference);
   if (main.empty()) return {};
-  Points measured;
-  costErrors(points, reference, &measured);
+  const Points measured = measuredOf(points, reference);
   Markup m;
   m.raw(main).raw(equalTables(context, measured, reference));
   // Against the converged march, the error of the shadow map that both share drops out: what is left is the technique's

@@ -92,12 +92,18 @@ Number errorOf(const Point& p, Reference r) {
 
 Number timeOf(const Point& p) { return p.volumetrics ? Number(p.volumetrics->median) : Number(); }
 
+Points measuredOf(const Points& points, Reference reference) {
+  Points measured;
+  for (const Point* p : points)
+    if (timeOf(*p) && errorOf(*p, reference)) measured.push_back(p);
+  return measured;
+}
+
 std::vector<CostError> costErrors(const Points& points, Reference reference, Points* which) {
   std::vector<CostError> all;
-  for (const Point* p : points) {
-    const Number time = timeOf(*p), error = errorOf(*p, reference);
-    if (!time || !error) continue;
-    all.push_back({*time, *error});
+  for (const Point* p : measuredOf(points, reference)) {
+    if (*errorOf(*p, reference) >= kBlack) continue;
+    all.push_back({*timeOf(*p), *errorOf(*p, reference)});
     if (which) which->push_back(p);
   }
   return all;
