@@ -18,7 +18,7 @@ using Background = host::PluginEffect::Background;
 
 constexpr std::pair<std::uint32_t, std::uint32_t> kHomeSize{320, 200};
 constexpr std::uint32_t kQuietFrames =
-    8;  // drawn at home with nothing left to build, so that what was let go of is gone
+    30;  // drawn at home with nothing left to build, so that what was let go of is gone (render/pipeline_library.cpp)
 constexpr std::uint32_t kMostQuietFrames = 5000;  // for a build that never ends
 // Growth from the end of the warm-up to the end. Of images and buffers: staging memory grows to the largest level. Of the process: on a device
 // whose driver compiles into it, heaps are torn and code is kept for a while, so that there what is allocated counts, not what is resident.

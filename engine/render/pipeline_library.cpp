@@ -5,9 +5,9 @@
 namespace tyndall::render {
 namespace {
 
-// A level's materials ask for a dozen or two; a user who goes through levels and settings, for hundreds, a megabyte each on some drivers.
-constexpr std::size_t kKept = 64;
-constexpr std::uint64_t kKeptFrames = 600;
+// A level's materials ask for a dozen or two; a user who goes through levels and settings, for hundreds, megabytes each on some drivers.
+constexpr std::size_t kKept = 16;
+constexpr std::uint64_t kKeptFrames = 600, kKeptAfterScene = 20;
 
 }  // namespace
 
@@ -20,7 +20,10 @@ void PipelineLibrary::beginFrame() {
 template <class R>
 void PipelineLibrary::letGoOfOld(Entries<R>& entries) {
   if (entries.size() <= kKept) return;
-  std::erase_if(entries, [this](const auto& entry) { return entry.second.asked + kKeptFrames < frame_; });
+  std::erase_if(entries, [this](const auto& entry) {
+    const std::uint64_t asked = entry.second.asked;
+    return asked + kKeptFrames < frame_ || (asked <= sceneFrame_ && sceneFrame_ + kKeptAfterScene < frame_);
+  });
 }
 
 Result<gpu::Pipeline> PipelineLibrary::make(const Recipe& recipe) {

@@ -30,8 +30,9 @@ class PipelineLibrary {
   PipelineLibrary(gpu::Device& device, const std::filesystem::path& shaderFolder)
       : device_(device), shaders_(shaderFolder) {}
 
-  /// Begins a frame: where there are many pipelines, those that no frame of late has asked for go.
+  /// Begins a frame: where there are many pipelines, those that no frame of late has asked for go; those of an earlier scene soon.
   void beginFrame();
+  void sceneChanged() { sceneFrame_ = frame_; }
 
   /// The pointer stays good until the next frame begins; reload() swaps what it points to.
   Result<const gpu::Pipeline*> get(const Recipe& recipe);
@@ -65,7 +66,7 @@ class PipelineLibrary {
 
   gpu::Device& device_;
   gpu::ShaderFolder shaders_;
-  std::uint64_t frame_ = 0;
+  std::uint64_t frame_ = 0, sceneFrame_ = 0;
   Entries<Recipe> graphics_;
   Entries<ComputeRecipe> compute_;
 };

@@ -50,6 +50,7 @@ Result<void> Renderer::setScene(const scene::Scene& scene) {
   if (!uploaded) return uploaded.error();
   state_->resources = uploaded.take();
   state_->shadows.clear();
+  state_->pipelines.sceneChanged();
   return {};
 }
 

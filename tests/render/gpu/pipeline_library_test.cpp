@@ -31,6 +31,15 @@ TEST(PipelineLibrary, ManyThatNoFrameAsksForGo) {
   EXPECT_EQ(library.size(), kOften);
   ask(kMany - 1);  // and comes back
   EXPECT_EQ(library.size(), kOften + 1);
+  // Those of another scene go sooner, those that both ask for stay.
+  for (std::size_t i = 0; i < kMany; ++i) ask(i);
+  library.sceneChanged();
+  for (int frame = 0; frame < 30; ++frame) {
+    library.beginFrame();
+    for (std::size_t i = 0; i < kOften; ++i) ask(i);
+  }
+  EXPECT_EQ(library.size(), kOften);
+  ask(kMany - 1);
   // A few are kept however long nobody asks.
   for (int frame = 0; frame < 1000; ++frame) library.beginFrame();
   EXPECT_EQ(library.size(), kOften + 1);
