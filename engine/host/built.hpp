@@ -19,9 +19,12 @@ struct Built {
   Layout layout;
   std::vector<PassRun> runs;
   std::vector<std::vector<PassUse>> uses;  ///< of each pass of the layout
+  std::vector<std::uint64_t> moved;        ///< bytesMoved() by each pass
   std::vector<PipelinePtr> pipelines;      ///< of each pass
   Resources resources;
   UniformRing uniforms;
+
+  std::uint64_t outputBytes() const { return std::uint64_t{structure.width} * structure.height * 16; }
 };
 
 /// The graph's names for a layout's resources in one frame.

@@ -78,6 +78,7 @@ Result<std::shared_ptr<Built>> PluginEffect::State::describe(TyInstance* instanc
     auto uses = usesOf(next->layout, pass);
     if (!uses) return uses.error();
     next->uses.push_back(uses.take());
+    next->moved.push_back(host::bytesMoved(next->layout, pass, next->outputBytes()));
   }
   return next;
 }

@@ -209,8 +209,6 @@ void readCounters(render::Graph& graph, const std::shared_ptr<Built>& built,
       });
 }
 
-std::uint64_t outputBytes(const Built& built) { return std::uint64_t{built.structure.width} * built.structure.height * 16; }
-
 }  // namespace
 
 std::uint64_t bytesUsed(const Built& built, const FrameRefs& refs) {
@@ -226,7 +224,7 @@ std::uint64_t bytesUsed(const Built& built, const FrameRefs& refs) {
     }
   }
   if (layout.counters && !layout.counters->names.empty()) buffers[layout.counters->buffer] = true;
-  std::uint64_t bytes = output ? outputBytes(built) : 0;
+  std::uint64_t bytes = output ? built.outputBytes() : 0;
   for (std::size_t i = 0; i < images.size(); ++i)
     if (images[i] || isHistory(layout.images[i])) bytes += imageBytes(layout.images[i].d);
   for (std::size_t i = 0; i < buffers.size(); ++i)
@@ -262,7 +260,7 @@ std::optional<std::uint64_t> bytesMoved(const Built& built, const FrameRefs& ref
     const std::uint32_t light = built.runs[r].light;
     if (light != TY_NONE && only != TY_NONE && light != only) return std::nullopt;
     if (light != TY_NONE) only = light;
-    bytes += bytesMoved(built.layout, built.layout.passes[built.runs[r].pass], outputBytes(built));
+    bytes += built.moved[built.runs[r].pass];
   }
   return bytes;
 }
