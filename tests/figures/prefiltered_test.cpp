@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Views, Prefiltered,
                          testing::Values(View{"hall", 0, "across the shafts, epipole off screen"}, View{"hall", 1, "towards the windows, epipole on screen"},
                                          View{"forest", 0, "across the light, epipole off screen"}, View{"forest", 1, "towards the sun, epipole on screen"},
                                          View{"terrain", 0, "a vista across the light, epipole off screen"}, View{"tower", 0, "the sun just behind the shaft"},
-                                         View{"lattice", 0, "past the fence to the sun and its beams, and a lamp"}, View{"cage", 0, "a point light just off the screen"},
+                                         View{"lattice", 0, "past the fence to the sun and its beams, and two lamps"}, View{"cage", 0, "a point light just off the screen"},
                                          View{"vault", 0, "two spot lights with cookies, both cones across"}, View{"town", 0, "along the street: a moon and eight lamps"}),
                          [](const auto& given) { return std::string(given.param.level) + std::to_string(given.param.camera); });
 

@@ -5,6 +5,7 @@
 #ifndef TYNDALL_COOKIE_GLSL
 #define TYNDALL_COOKIE_GLSL
 #include "shared/light.h"
+#include "engine/include/opaque.glsl"
 
 // cubeFace() and cubePlace() come with engine/include/shadow.glsl.
 
