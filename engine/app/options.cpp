@@ -27,6 +27,7 @@ struct Given {
   bool fresh = false;
   std::vector<std::string> cameras, holdOut;
   std::string budget, maxError, margin = "0.1", turned = "0", candidates;
+  bool noLightViews = false;
 };
 
 void addLevel(CLI::App& command, Given& given) {
@@ -92,6 +93,7 @@ void addTune(CLI::App& command, Given& given) {
   command.add_option("--camera", given.cameras, "a view that counts; repeatable [all of the file's cameras]")->type_name("N")->expected(1)->take_all()->allow_extra_args(false);
   command.add_option("--hold-out", given.holdOut, "a view that is not searched on, but measured at the end; repeatable")->type_name("N")->expected(1)->take_all()->allow_extra_args(false);
   command.add_option("--turned", given.turned, "so many further views at each camera that is tuned on, turned by 20 degrees to both sides in turn, by 40, ... [0]")->type_name("N");
+  command.add_flag("--no-light-views", given.noLightViews, "no further view, turned to a light, at a camera that sees none: for a game that never looks at its lights");
   command.add_option("--candidates", given.candidates, "what to try: a file with the knobs, settings, error_size and truth_samples of a sweep [tune/*.json beside the program]")->type_name("FILE.json");
   command.add_option("--margin", given.margin, "part of the bound that the search keeps clear of, for the sake of views that it does not see [0.1]")->type_name("X");
   command.add_option("--size", given.size, "size of the pictures that are timed [1280x720]")->type_name("WxH");
@@ -211,6 +213,7 @@ Result<Options> readTune(const Given& given) {
   auto turns = readCount("--turned", given.turned, 0, 16);
   if (!turns) return turns.error();
   options.turned = *turns;
+  options.lightViews = !given.noLightViews;
   options.candidates = given.candidates;
   auto size = readSize("--size", given.size);
   if (!size) return size.error();

@@ -68,11 +68,11 @@ class View {
     }
     bool go = true;
     const auto progress = [&](double share) { return go = watcher_.tell("truth " + std::to_string(static_cast<int>(100 * share)) + " %", 0, 1); };
-    auto truth = truthOf(level_, cameraIndex_, 0, sweep_.errorSize, 0, medium, sweep_.truthSamples, progress);
+    auto truth = truthOf(level_, cameraIndex_, {}, sweep_.errorSize, 0, medium, sweep_.truthSamples, progress);
     if (!go) return false;
     if (!truth) return truth.error();
     truth_ = truth.take();
-    auto half = truthOf(level_, cameraIndex_, 0, sweep_.errorSize, 0, medium, std::max(1u, sweep_.truthSamples / 2), progress);
+    auto half = truthOf(level_, cameraIndex_, {}, sweep_.errorSize, 0, medium, std::max(1u, sweep_.truthSamples / 2), progress);
     if (!go) return false;
     if (!half) return half.error();
     if (auto self = splitErrors(truth_.scatter, half->scatter, {}, {})) truthSelf = self->all->nrmse;
@@ -130,7 +130,7 @@ class View {
  private:
   Result<void> pictures(const Assignments& settings, std::vector<image::FloatImage>& frames) {
     for (std::uint32_t i = 0; i < sweep_.motion.frames; ++i) {
-      const scene::CameraView camera = turned(camera_, sweep_.motion.turn * i);
+      const scene::CameraView camera = turned(camera_, {sweep_.motion.turn * i, 0});
       // Two frames at the first place: the first compiles and starts afresh what is kept from frame to frame.
       if (auto done = stand_.render(settings, camera, sweep_.errorSize, sweep_.motion.seconds * i, i == 0 ? 2 : 1, true); !done) return done;
       frames.push_back(stand_.scatter());

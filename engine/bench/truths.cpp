@@ -1,11 +1,14 @@
 #include "bench/truths.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "bench/error_split.hpp"
 
 namespace tyndall::bench {
 namespace {
@@ -15,15 +18,46 @@ constexpr const char* kGeneration = "1";
 
 }  // namespace
 
-scene::CameraView turned(const scene::CameraView& start, double degrees) {
+scene::CameraView turned(const scene::CameraView& start, Turn turn) {
   scene::CameraView camera = start;
-  const glm::mat4 turn = glm::rotate(glm::mat4(1), static_cast<float>(glm::radians(degrees)), glm::vec3(0, 1, 0));
+  const glm::mat4 yaw = glm::rotate(glm::mat4(1), static_cast<float>(glm::radians(turn.yaw)), glm::vec3(0, 1, 0));
+  const glm::mat4 pitch = glm::rotate(glm::mat4(1), static_cast<float>(glm::radians(turn.pitch)), glm::vec3(1, 0, 0));
   glm::mat4 axes = start.worldFromView;
   const glm::vec4 place = axes[3];
   axes[3] = glm::vec4(0, 0, 0, 1);
-  camera.worldFromView = turn * axes;
+  camera.worldFromView = yaw * axes * pitch;
   camera.worldFromView[3] = place;
   return camera;
+}
+
+std::optional<Turn> turnTowardsLight(const std::vector<scene::LightView>& lights, const scene::CameraView& camera, Size size) {
+  struct Direction {
+    double azimuth, elevation;  // degrees; azimuth grows to the left, as Turn::yaw
+  };
+  const auto directionOf = [](const glm::vec3& v) {
+    const glm::dvec3 d = glm::normalize(glm::dvec3(v));
+    return Direction{glm::degrees(std::atan2(-d.x, -d.z)), glm::degrees(std::asin(std::clamp(d.y, -1.0, 1.0)))};
+  };
+  const Direction ahead = directionOf(-glm::vec3(camera.worldFromView[2]));
+  const double height = 0.5 * static_cast<double>(camera.camera.yfov);
+  const double halfHeight = glm::degrees(std::atan(0.5 * std::tan(height)));
+  const double halfWidth = glm::degrees(std::atan(0.5 * std::tan(height) * size.first / size.second));
+  std::optional<Turn> best;
+  for (const scene::LightView& light : lights) {
+    const glm::vec3 towards =
+        light.light.kind == scene::LightKind::kDirectional ? -light.direction : light.position - glm::vec3(camera.worldFromView[3]);
+    if (glm::length(towards) < 1e-6f) continue;
+    const Direction there = directionOf(towards);
+    const Turn whole{std::remainder(there.azimuth - ahead.azimuth, 360.0), there.elevation - ahead.elevation};
+    const auto shortOf = [](double angle, double by) { return std::copysign(std::max(0.0, std::abs(angle) - by), angle); };
+    // Near the zenith azimuths run together and half way is not where it was reckoned: then the light goes to the middle.
+    for (const Turn& turn : {Turn{shortOf(whole.yaw, halfWidth), shortOf(whole.pitch, halfHeight)}, whole}) {
+      if (!insidePicture(lightsInPicture({light}, turned(camera, turn), size), size)) continue;
+      if (!best || std::hypot(turn.yaw, turn.pitch) < std::hypot(best->yaw, best->pitch)) best = turn;
+      break;
+    }
+  }
+  return best;
 }
 
 std::uint64_t levelHash(const std::string& level, const std::string& text) {
@@ -34,17 +68,21 @@ std::uint64_t levelHash(const std::string& level, const std::string& text) {
   return hash.value();
 }
 
-Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, double degrees, Size size, double seconds, const truth::Medium& medium, std::uint32_t samples,
+Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, Size size, double seconds, const truth::Medium& medium, std::uint32_t samples,
                       const std::function<bool(double)>& progress) {
   auto view = app::chooseCamera(level, camera, seconds);
   if (!view) return view.error();
-  *view = turned(*view, degrees);
+  *view = turned(*view, turn);
   auto bytes = readFile(level.path);
   if (!bytes) return bytes.error();
   char key[256];
   std::snprintf(key, sizeof key, "%s %u %ux%u %.17g %.17g %.17g %.17g %u", kGeneration, camera, size.first, size.second, seconds, medium.sigma_t, medium.albedo,
                 medium.g, samples);
-  if (degrees != 0) std::snprintf(key + std::char_traits<char>::length(key), 32, " turned %.9g", degrees);
+  const auto append = [&](const char* what, double degrees) {
+    const std::size_t length = std::char_traits<char>::length(key);
+    if (degrees != 0) std::snprintf(key + length, sizeof key - length, " %s %.9g", what, degrees);
+  };
+  append("turned", turn.yaw), append("raised", turn.pitch);
   const std::uint64_t hash = Hash().bytes(*bytes).text(key).value();
   char name[32];
   std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hash));

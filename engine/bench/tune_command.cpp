@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -36,43 +37,65 @@ struct Round {
   int timed;
   double slack;
   std::size_t keep;  ///< at most, of those that go on; 0: the last round
+  double hopeless;   ///< a view on which a candidate misses the bound by this factor is its last of the round
 };
-constexpr Round kRounds[] = {{false, false, 1, 1.3, 16}, {true, false, 2, 1.15, 5}, {true, true, 5, 1.0, 0}};
+constexpr Round kRounds[] = {{false, false, 1, 1.3, 16, 2}, {true, false, 2, 1.15, 5, 2}, {true, true, 5, 1.0, 0, 1}};
 
-/// A camera of the level, turned by so many degrees.
+/// A camera of the level and how it is turned.
 struct TunedView {
   std::uint32_t camera;
-  double degrees;
+  Turn turn;
+  bool lightOnScreen = false;
 };
 
 struct Candidate {
   std::string technique;
   Assignments settings;
-  std::vector<std::vector<double>> milliseconds;  ///< of each view
-  std::vector<double> errors;                     ///< of each view
+  std::vector<std::vector<double>> milliseconds;  ///< of each view that was measured
+  std::vector<double> errors;                     ///< of each view that was measured
+  bool dropped = false;                           ///< out of the round before its last view
   std::string failure;
   std::string text() const {
     std::string all;
     for (const auto& [id, value] : settings) all += (all.empty() ? "" : " ") + id + "=" + value;
     return all;
   }
-  /// The worst view's error and median time.
+  /// The worst error and median time of the views that were measured.
   Score score() const {
     Score s;
     for (const double e : errors) s.error = std::max(s.error, e);
-    for (const auto& view : milliseconds) s.milliseconds = std::max(s.milliseconds, spreadOf(view).median);
+    for (const auto& view : milliseconds)
+      if (!view.empty()) s.milliseconds = std::max(s.milliseconds, spreadOf(view).median);
     return s;
   }
+  bool out() const { return dropped || !failure.empty(); }
 };
 
 class Tuner {
  public:
-  Tuner(Stand& stand, const app::TuneOptions& options, const std::vector<std::uint32_t>& cameras)
+  Tuner(Stand& stand, const app::TuneOptions& options)
       : stand_(stand), options_(options), goal_{options.maxError, options.budgetMs}, sought_(goal_) {
-    for (const std::uint32_t camera : cameras)
-      for (std::uint32_t i = 0; i <= options.turned; ++i) views_.push_back({camera, (i % 2 == 1 ? 1.0 : -1.0) * kTurn * ((i + 1) / 2) + 0.0});
     for (auto* bound : {&sought_.maxError, &sought_.budgetMs})
       if (*bound) **bound *= 1 - options.margin;
+  }
+
+  /// The views to search on: `cameras`, each also turned as asked for. A camera that sees no light so gets one more view, turned to one, unless that is not
+  /// wanted. Those with a light on the screen come first: they are the hardest, and who fails there need not be tried on the others.
+  Result<void> chooseViews(const std::vector<std::uint32_t>& cameras) {
+    for (const std::uint32_t camera : cameras) {
+      const std::size_t first = views_.size();
+      for (std::uint32_t i = 0; i <= options_.turned; ++i) {
+        auto view = viewOf(camera, {(i % 2 == 1 ? 1.0 : -1.0) * kTurn * ((i + 1) / 2) + 0.0, 0});
+        if (!view) return view.error();
+        views_.push_back(*view);
+      }
+      if (!options_.lightViews || std::any_of(views_.begin() + static_cast<std::ptrdiff_t>(first), views_.end(), [](const TunedView& v) { return v.lightOnScreen; })) continue;
+      auto placed = app::chooseCamera(*stand_.session().level(), camera, 0);
+      if (!placed) return placed.error();
+      if (const auto turn = turnTowardsLight(stand_.session().level()->lights(0), *placed, options_.size)) views_.push_back({camera, *turn, true});
+    }
+    std::stable_partition(views_.begin(), views_.end(), [](const TunedView& v) { return v.lightOnScreen; });
+    return {};
   }
 
   /// Searches one field of candidates. Afterwards best() is the best of all fields so far.
@@ -93,6 +116,10 @@ class Tuner {
       if (candidates_.empty()) return failed("tune: no candidate could be rendered: " + left_.front());
       std::vector<Score> scores;
       for (const Candidate& c : candidates_) scores.push_back(c.score());
+      if (std::all_of(candidates_.begin(), candidates_.end(), [](const Candidate& c) { return c.dropped; })) {
+        take(ranking(scores, sought_, 1));
+        break;  // nothing of this field comes near the bound
+      }
       take(kRounds[r].keep > 0 ? survivors(scores, sought_, kRounds[r].slack, kRounds[r].keep) : ranking(scores, sought_, 1));
     }
     if (!before.empty()) {
@@ -109,17 +136,27 @@ class Tuner {
     Candidate probe = candidates_.front();
     std::vector<Candidate> only{std::move(probe)};
     std::swap(only, candidates_);
-    std::vector<TunedView> views{{camera, 0}};
+    auto view = viewOf(camera, {});
+    if (!view) return view.error();
+    std::vector<TunedView> views{*view};
     std::swap(views, views_);
-    const Result<void> done = measure(kRounds[std::size(kRounds) - 1]);
+    Round round = kRounds[std::size(kRounds) - 1];
+    round.hopeless = std::numeric_limits<double>::infinity();
+    const Result<void> done = measure(round);
     std::swap(views, views_);
     std::swap(only, candidates_);
     if (!done) return done;
     if (!only.front().failure.empty()) return failed("tune: camera " + std::to_string(camera) + ": " + only.front().failure);
-    held_.emplace_back(camera, only.front().score());
+    const bool searched = std::any_of(views_.begin(), views_.end(), [&](const TunedView& v) { return v.lightOnScreen == view->lightOnScreen; });
+    held_.push_back({*view, only.front().score(), searched});
     return {};
   }
-  const std::vector<std::pair<std::uint32_t, Score>>& held() const { return held_; }
+  struct Held {
+    TunedView view;
+    Score score;
+    bool kindSearched;  ///< whether a view of the search is like it in having a light on the screen, or none
+  };
+  const std::vector<Held>& held() const { return held_; }
 
   bool met() const { return sought_.met(best().score()); }
 
@@ -155,16 +192,16 @@ class Tuner {
     evidence["nrmse"] = best().score().error;
     evidence["views"] = Json::array();
     for (std::size_t v = 0; v < views_.size(); ++v)
-      evidence["views"].push_back({{"level", options_.level}, {"camera", views_[v].camera}, {"turned_degrees", views_[v].degrees}, {"milliseconds", spreadOf(best().milliseconds[v]).median}, {"nrmse", best().errors[v]}});
+      evidence["views"].push_back({{"level", options_.level}, {"camera", views_[v].camera}, {"turned_degrees", views_[v].turn.yaw}, {"raised_degrees", views_[v].turn.pitch}, {"light_on_screen", views_[v].lightOnScreen}, {"milliseconds", spreadOf(best().milliseconds[v]).median}, {"nrmse", best().errors[v]}});
     evidence["hold_out"] = Json::array();
-    for (const auto& [camera, score] : held_)
-      evidence["hold_out"].push_back({{"level", options_.level}, {"camera", camera}, {"milliseconds", score.milliseconds}, {"nrmse", score.error}, {"met", goal_.met(score)}});
+    for (const auto& [view, score, kindSearched] : held_)
+      evidence["hold_out"].push_back({{"level", options_.level}, {"camera", view.camera}, {"light_on_screen", view.lightOnScreen}, {"milliseconds", score.milliseconds}, {"nrmse", score.error}, {"met", goal_.met(score)}});
     evidence["errors"] = "nRMSE against the ray-traced truth; pixels where rasteriser and ray tracer end on different surfaces count as right";
     evidence["error_size"] = {field_.errorSize.first, field_.errorSize.second};
     evidence["candidates_by_round"] = counts_;
     evidence["others_of_the_last_round"] = Json::array();
     for (std::size_t i = 1; i < candidates_.size(); ++i)
-      evidence["others_of_the_last_round"].push_back({{"settings", candidates_[i].text()}, {"milliseconds", candidates_[i].score().milliseconds}, {"nrmse", candidates_[i].score().error}});
+      evidence["others_of_the_last_round"].push_back({{"settings", candidates_[i].text()}, {"milliseconds", candidates_[i].score().milliseconds}, {"nrmse", candidates_[i].score().error}, {"views", candidates_[i].errors.size()}});
     Json varied = Json::array(), left = left_;
     for (const std::string& id : varied_) varied.push_back(id);
     for (const std::string& text : notBuilt_) left.push_back(text);
@@ -181,6 +218,7 @@ class Tuner {
     std::string text;
     for (const std::uint32_t camera : options_.cameras) text += " --camera " + std::to_string(camera);
     if (options_.turned > 0) text += " --turned " + std::to_string(options_.turned);
+    if (!options_.lightViews) text += " --no-light-views";
     for (const std::uint32_t camera : options_.holdOut) text += " --hold-out " + std::to_string(camera);
     return text;
   }
@@ -229,6 +267,14 @@ class Tuner {
     return {};
   }
 
+  Result<TunedView> viewOf(std::uint32_t camera, Turn turn) {
+    const app::Level& level = *stand_.session().level();
+    auto placed = app::chooseCamera(level, camera, 0);
+    if (!placed) return placed.error();
+    return TunedView{camera, turn, insidePicture(lightsInPicture(level.lights(0), turned(*placed, turn), options_.size), options_.size)};
+  }
+
+  /// Ends early when every candidate is dropped.
   Result<void> measure(const Round& round) {
     const app::Level& level = *stand_.session().level();
     truth::Medium medium;
@@ -238,27 +284,30 @@ class Tuner {
     const std::uint32_t part = round.wholeErrors ? 1 : 2;
     const Size errorSize{std::max(1u, field_.errorSize.first / part), std::max(1u, field_.errorSize.second / part)};
     const std::size_t views = round.everyView ? views_.size() : 1;
-    for (Candidate& c : candidates_) c.milliseconds.assign(views, {}), c.errors.assign(views, 0);
+    for (Candidate& c : candidates_) c.milliseconds.clear(), c.errors.clear(), c.dropped = false;
     for (std::size_t v = 0; v < views; ++v) {
       auto camera = app::chooseCamera(level, views_[v].camera, 0);
       if (!camera) return camera.error();
-      *camera = turned(*camera, views_[v].degrees);
-      auto truth = truthOf(level, views_[v].camera, views_[v].degrees, errorSize, 0, medium, std::max(1u, field_.truthSamples / part), {});
+      *camera = turned(*camera, views_[v].turn);
+      auto truth = truthOf(level, views_[v].camera, views_[v].turn, errorSize, 0, medium, std::max(1u, field_.truthSamples / part), {});
       if (!truth) return truth.error();
+      if (std::all_of(candidates_.begin(), candidates_.end(), [](const Candidate& c) { return c.out(); })) return {};
       for (Candidate& c : candidates_) {
-        if (!c.failure.empty()) continue;
+        if (c.out()) continue;
         Result<void> ok = stand_.render(c.settings, *camera, errorSize, 0, 2, true);
         if (ok) {
           auto errors = splitErrors(onSameSurface(stand_.scatter(), truth->scatter), truth->scatter, {}, {});
-          if (errors) c.errors[v] = errors->all->nrmse; else ok = errors.error();
+          if (errors) c.errors.push_back(errors->all->nrmse); else ok = errors.error();
         }
         if (ok && round.keep == 0) ok = stand_.warmUp(c.settings, *camera, options_.size, 0);
         if (!ok) c.failure = ok.error().message;
+        c.milliseconds.emplace_back();
+        c.dropped = sought_.maxError && !sought_.met(c.score(), round.hopeless);  // its times are not needed then
       }
       // Interleaved, so that a drift of the machine meets all alike.
       for (int i = 0; i < round.timed; ++i)
         for (Candidate& c : candidates_) {
-          if (!c.failure.empty()) continue;
+          if (c.out()) continue;
           if (auto ok = stand_.render(c.settings, *camera, options_.size, 0, 2, false); !ok) {
             c.failure = ok.error().message;
             continue;
@@ -266,8 +315,9 @@ class Tuner {
           double own = 0;
           for (const render::PassTime& pass : stand_.passes())
             if (pass.owner == stand_.catalogue().effectPlugin().id()) own += pass.milliseconds;
-          c.milliseconds[v].push_back(own);
+          c.milliseconds.back().push_back(own);
         }
+      for (Candidate& c : candidates_) c.dropped = !sought_.met(c.score(), round.hopeless);
     }
     return {};
   }
@@ -279,7 +329,7 @@ class Tuner {
   Goal goal_, sought_;  ///< as asked for, and with the margin
   std::vector<Candidate> candidates_;
   std::vector<std::size_t> counts_;
-  std::vector<std::pair<std::uint32_t, Score>> held_;
+  std::vector<Held> held_;
   std::vector<std::string> left_;
   std::set<std::string> notBuilt_, read_, varied_;
 };
@@ -328,23 +378,26 @@ Result<void> runTune(const TuneOptions& options) {
   if (!stand) return stand.error();
   if (auto set = (*stand)->setLevel(level.take()); !set) return set;
 
-  bench::Tuner tuner(**stand, options, cameras);
+  bench::Tuner tuner(**stand, options);
+  if (auto chosen = tuner.chooseViews(cameras); !chosen) return chosen;
   for (const bench::Sweep& field : fields) {
     if (auto done = tuner.run(field); !done) return done;
     if (tuner.met()) break;
   }
   const bench::Score score = tuner.best().score();
   char figures[96];
-  std::snprintf(figures, sizeof figures, "nRMSE %.4g in %.4g ms", score.error, score.milliseconds);
+  // Who is dropped for an error is not timed any more.
+  std::snprintf(figures, sizeof figures, score.milliseconds > 0 ? "nRMSE %.4g in %.4g ms" : "nRMSE %.4g", score.error, score.milliseconds);
   if (!tuner.met())
     return failed("tune: nothing that was tried meets the bound with its margin; nearest is " + std::string(figures) + " with " + tuner.best().text());
   for (const std::uint32_t camera : options.holdOut)
     if (auto done = tuner.holdOut(camera); !done) return done;
-  for (const auto& [camera, held] : tuner.held()) {
+  for (const auto& [view, held, kindSearched] : tuner.held()) {
     char text[96];
     std::snprintf(text, sizeof text, "nRMSE %.4g in %.4g ms", held.error, held.milliseconds);
-    std::fprintf(stderr, "tyndall: %stune: camera %u, which was held out: %s%s\n", tuner.goal().met(held) ? "" : "warning: ", camera, text,
-                 tuner.goal().met(held) ? "" : ", outside the bound");
+    const char* other = kindSearched ? "" : view.lightOnScreen ? "; a light is on the screen there, and on no view that was searched" : "; no light is on the screen there, and one is on every view that was searched";
+    std::fprintf(stderr, "tyndall: %stune: camera %u, which was held out: %s%s%s\n", tuner.goal().met(held) ? "" : "warning: ", view.camera, text,
+                 tuner.goal().met(held) ? "" : ", outside the bound", other);
   }
   const std::string preset = tuner.preset();
   if (auto done = outputs.write("--out", [&](const std::filesystem::path& p) { return writeTextAtomically(p, preset); }); !done) return done;

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "engine/include/encode.glsl"
+#include "engine/include/opaque.glsl"
 
 layout(push_constant, scalar) uniform Push {
   vec2 size;      // of the picture, pixels
@@ -19,8 +20,9 @@ void main() {
   vec4 value = texelFetch(source, texel, 0);
   vec4 scaled = (value - low) / (high - low);
   vec3 color;
-  if (channel < 4u) color = vec3(clamp(scaled[channel], 0.0, 1.0));
-  else if (channel == 4u) color = srgbFromLinear(clamp(scaled.rgb, 0.0, 1.0));
+  uint shown = opaque(channel);
+  if (shown < 4u) color = vec3(clamp(scaled[channel], 0.0, 1.0));
+  else if (shown == 4u) color = srgbFromLinear(clamp(scaled.rgb, 0.0, 1.0));
   else color = unitFromOct(value.xy) * 0.5 + 0.5;
   outPicture = vec4(color, 1.0);
 }

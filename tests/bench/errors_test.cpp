@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/error_split.hpp"
+#include "bench/truths.hpp"
 
 namespace tyndall::bench {
 namespace {
@@ -120,6 +121,66 @@ TEST(ErrorSplit, LightsStandWhereTheyAreSeen) {
   EXPECT_NEAR(places[1].y, 25, 1e-4f);
   EXPECT_TRUE(insidePicture(places, {200, 100}));
   EXPECT_FALSE(insidePicture({{-1.0f, 5.0f}}, {200, 100}));
+}
+
+scene::LightView sunFrom(double azimuth, double elevation) {
+  const double a = glm::radians(azimuth), e = glm::radians(elevation);
+  scene::LightView sun;
+  sun.light.kind = scene::LightKind::kDirectional;
+  sun.direction = glm::vec3(std::sin(a) * std::cos(e), -std::sin(e), std::cos(a) * std::cos(e));  // azimuth grows to the left from -z
+  return sun;
+}
+
+TEST(Turn, YawGoesLeftAndPitchUp) {
+  scene::CameraView camera;
+  camera.worldFromView = glm::mat4(1);
+  camera.worldFromView[3] = glm::vec4(3, 2, 1, 1);
+  const scene::CameraView left = turned(camera, {90, 0}), up = turned(camera, {0, 30}), both = turned(camera, {90, 30});
+  EXPECT_NEAR(glm::length(-glm::vec3(left.worldFromView[2]) - glm::vec3(-1, 0, 0)), 0, 1e-6f);
+  EXPECT_NEAR(-up.worldFromView[2].y, 0.5f, 1e-6f);
+  EXPECT_NEAR(glm::length(-glm::vec3(both.worldFromView[2]) - glm::vec3(-std::sqrt(0.75f), 0.5f, 0)), 0, 1e-6f);
+  EXPECT_NEAR(both.worldFromView[0].y, 0, 1e-6f) << "no roll";
+  EXPECT_EQ(both.worldFromView[3], camera.worldFromView[3]);
+}
+
+TEST(Turn, TowardsALightBringsItHalfWayIntoThePicture) {
+  scene::CameraView camera;
+  camera.worldFromView = glm::mat4(1);
+  camera.camera.yfov = glm::radians(60.0f);
+  const Size size{160, 90};
+  // To the left and the right, before and behind the camera, high, low, and all but in the zenith.
+  for (const auto& [azimuth, elevation] : {std::pair{100.0, 20.0}, {-100.0, 20.0}, {180.0, 10.0}, {-50.0, 70.0}, {30.0, -60.0}, {10.0, 89.0}}) {
+    const auto turn = turnTowardsLight({sunFrom(azimuth, elevation)}, camera, size);
+    ASSERT_TRUE(turn) << azimuth << ' ' << elevation;
+    const auto places = lightsInPicture({sunFrom(azimuth, elevation)}, turned(camera, *turn), size);
+    ASSERT_EQ(places.size(), 1u);
+    EXPECT_TRUE(insidePicture(places, size)) << azimuth << ' ' << elevation << ": " << places[0].x << ' ' << places[0].y;
+    // No more of a turn than is needed, and the light comes in on the side on which it is.
+    EXPECT_LE(std::abs(turn->yaw), std::abs(azimuth));
+    EXPECT_LE(std::abs(turn->pitch), std::abs(elevation));
+  }
+  const auto level = turnTowardsLight({sunFrom(100, 0)}, camera, size);
+  ASSERT_TRUE(level);
+  const auto place = lightsInPicture({sunFrom(100, 0)}, turned(camera, *level), size);
+  EXPECT_NEAR(place[0].x, 40, 0.01f);
+  EXPECT_NEAR(place[0].y, 45, 0.01f);
+}
+
+TEST(Turn, OfSeveralLightsTheNearestIsTaken) {
+  scene::CameraView camera;
+  camera.worldFromView = glm::mat4(1);
+  camera.camera.yfov = glm::radians(60.0f);
+  scene::LightView lamp;
+  lamp.light.kind = scene::LightKind::kPoint;
+  lamp.position = glm::vec3(10, 0, -1);
+  const Size size{160, 90};
+  const auto turn = turnTowardsLight({sunFrom(170, 30), lamp}, camera, size);
+  ASSERT_TRUE(turn);
+  EXPECT_LT(turn->yaw, 0) << "to the right";
+  EXPECT_GT(turn->yaw, -85);
+  EXPECT_FALSE(turnTowardsLight({}, camera, size));
+  lamp.position = glm::vec3(0);
+  EXPECT_FALSE(turnTowardsLight({lamp}, camera, size)) << "the eye is at the lamp";
 }
 
 }  // namespace

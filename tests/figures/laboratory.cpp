@@ -44,7 +44,7 @@ Laboratory::Laboratory(const std::string& level, std::uint32_t camera, std::uint
 }
 
 void Laboratory::turn(double degrees) {
-  request_.camera = bench::turned(start_, degrees);
+  request_.camera = bench::turned(start_, {degrees, 0});
 }
 
 std::vector<glm::vec2> Laboratory::lightsInPicture() const {

@@ -1,13 +1,15 @@
 // The image that a light shines through (CookieBlock), filtered over a footprint. Needs lib/cube_map.glsl, stages/blocks.h and the binding `cookieImage`: linear light,
 // all mips, repeating.
 
+#include "stages/opaque.glsl"
+
 // Colour at a point relative to the eye, averaged over a footprint of the sides `along` and `across`, m.
 vec3 cookieColour(CookieBlock block, vec3 point, vec3 along, vec3 across) {
   vec4 p = block.fromEye * vec4(point, 1.0);
   vec4 dx = block.fromEye * vec4(along, 0.0);
   vec4 dy = block.fromEye * vec4(across, 0.0);
   uint face = 0u;
-  if (block.faces == 6u) {
+  if (opaque(block.faces) == 6u) {
     face = cubeFace(p.xyz);
     p = cubePlace(face, p.xyz);
     dx = cubePlace(face, dx.xyz);
@@ -24,6 +26,7 @@ vec3 cookieColour(CookieBlock block, vec3 point, vec3 along, vec3 across) {
   // The sampler repeats: where the image does not, no filter may reach across its border.
   float border = 0.5 / max(1.0, floor(side * exp2(-ceil(lod))));
   vec2 inside = clamp(uv, border, 1.0 - border);
-  uv = vec2((block.repeats & 1u) != 0u ? uv.x : inside.x, (block.repeats & 2u) != 0u ? uv.y : inside.y);
+  uint repeats = opaque(block.repeats);
+  uv = vec2((repeats & 1u) != 0u ? uv.x : inside.x, (repeats & 2u) != 0u ? uv.y : inside.y);
   return textureLod(cookieImage, vec3(uv, float(face)), lod).rgb;
 }

@@ -34,7 +34,7 @@ void main() {
   direction /= perAxial;
   float end = perAxial * axialDistance(rays, texelFetch(sceneDepth, ivec2(pixel), 0).x);
   vec3 integral = denselyMarched(sun, shadowMap, direction, end, rays.sigma_t, kMostSteps);
-  float phase = phaseHenyeyGreenstein(dot(direction, sun.towards), rays.g);
+  float phase = phaseHenyeyGreenstein(dot(direction, sun.towards), opaque(rays.g));
   vec3 radiance = rays.albedo * rays.sigma_t * phase * integral * sun.irradiance;
   vec4 before = kFirstLight ? vec4(0.0) : imageLoad(dense, ivec2(pixel));
   imageStore(dense, ivec2(pixel), before + vec4(radiance, 0.0));

@@ -33,6 +33,6 @@ void main() {
   float perAxial = length(direction);
   direction /= perAxial;
   float end = perAxial * axialDistance(rays, texelFetch(sceneDepth, ivec2(pixel), 0).x);
-  vec3 sum = denselyMarchedLocal(light, shadowMap, direction, end, rays.sigma_t, rays.g, kMostSteps);
+  vec3 sum = denselyMarchedLocal(light, shadowMap, direction, end, rays.sigma_t, opaque(rays.g), kMostSteps);
   imageStore(dense, ivec2(pixel), imageLoad(dense, ivec2(pixel)) + vec4(rays.albedo * rays.sigma_t * sum, 0.0));
 }

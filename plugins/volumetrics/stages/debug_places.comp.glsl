@@ -39,7 +39,7 @@ void main() {
   vec3 local = vec3(dot(direction, light.map.e1), dot(direction, light.map.e2), dot(direction, light.sun.towards));
   RowRay ray = rowRay(local, end, false);
   // Slices wrap round where an epipole is on the screen; the maps of further lights are smaller than the image.
-  float slice = light.map.fullCircle != 0u ? mod(ray.slice, float(light.map.slices)) : clamp(ray.slice, 0.0, float(light.map.slices));
+  float slice = opaque(light.map.fullCircle) != 0u ? mod(ray.slice, float(light.map.slices)) : clamp(ray.slice, 0.0, float(light.map.slices));
   vec2 size = vec2(textureSize(rectified, 0).xy);
   imageStore(scatter, ivec2(pixel), vec4(slice / size.x, ray.a.column / size.y, ray.theta, ray.depth));
 }

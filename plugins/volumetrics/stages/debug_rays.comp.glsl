@@ -61,7 +61,7 @@ void main() {
   float ownAll = 0.0;
   float joined = 0.0;
   float joinedAll = 0.0;
-  for (uint i = 0u; i < light.map.segmentCount && float(segmentBorder(s, i)) < ray.a.column; ++i) {
+  for (uint i = 0u; i < opaque(light.map.segmentCount) && float(segmentBorder(s, i)) < ray.a.column; ++i) {
     float first = float(segmentBorder(s, i));
     float lit[kReferenceRays];
     float all_[kReferenceRays];

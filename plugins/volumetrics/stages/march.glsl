@@ -3,9 +3,11 @@
 // Samples are spent only where a ray is inside the prism that the shadow map covers; outside it everything is lit. A stratum's
 // weight is the exact integral of the transmittance over it; visibility is sampled at `offset` in [0, 1] of each stratum.
 
+#include "stages/opaque.glsl"
+
 // The part of [interval.x, interval.y] in which p + t v is inside [0, size].
 vec2 clipSlab(vec2 interval, float p, float v, float size) {
-  if (abs(v) < 1e-12) return p >= 0.0 && p <= size ? interval : vec2(1.0, 0.0);
+  if (abs(v) < 1e-12) return opaque(p) >= 0.0 && opaque(p) <= size ? interval : vec2(1.0, 0.0);
   float a = -p / v;
   float b = (size - p) / v;
   return vec2(max(interval.x, min(a, b)), min(interval.y, max(a, b)));

@@ -2,7 +2,8 @@
 // `cookieImage` and a CookieBlock `marchCookie`. Without TY_COOKIES no light has one.
 #ifdef TY_COOKIES
 #include "stages/cookie.glsl"
-bool hasCookie() { return TY_COOKIES && marchCookie.faces != 0u; }
+#include "stages/opaque.glsl"
+bool hasCookie() { return TY_COOKIES && opaque(marchCookie.faces) != 0u; }
 
 // Colour at a point of a view ray, averaged over a stratum of `length_` m. Trilinear filtering spreads over two texels of its mip: these
 // are to be as long, as the light sees them, as the stratum, or few steps step over a fine image's squares. What the pixel covers is

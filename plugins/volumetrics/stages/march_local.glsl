@@ -6,6 +6,8 @@
 // A stratum's weight is the exact integral of dt/d^2 over it times the rest in its middle, and a quadrature where one angle spans far too
 // different distances for that; visibility is sampled at `offset` in [0, 1] of it.
 
+#include "stages/opaque.glsl"
+
 // The integral diverges for a ray through the light itself: a ray that passes closer counts as passing at this distance, m.
 const float kClosestPass = 1e-3;
 
@@ -15,12 +17,12 @@ vec3 lightColour(LocalBlock light, vec3 direction, float t, float length_) {
 }
 
 // Face of the map that a direction from the light falls on.
-uint localFace(LocalBlock light, vec3 fromLight) { return light.kind == kLocalSpot ? 0u : cubeFace(fromLight); }
+uint localFace(LocalBlock light, vec3 fromLight) { return opaque(light.kind) == kLocalSpot ? 0u : cubeFace(fromLight); }
 
 // Whether the map holds something nearer. Behind a spot light and beside its map everything is lit; faces of a point light leave nothing
 // out, so that a point beside one is rounding.
 bool localBlockedFrom(LocalBlock light, sampler2DArray shadowMap, vec3 fromLight) {
-  bool spot = light.kind == kLocalSpot;
+  bool spot = opaque(light.kind) == kLocalSpot;
   uint face = localFace(light, fromLight);
   vec3 m = abs(fromLight);
   float along = spot ? dot(fromLight, light.axis) : max(m.x, max(m.y, m.z));
@@ -50,8 +52,8 @@ LocalRay localRay(LocalBlock light, vec3 direction, float end) {
   ray.pass = max(pass, kClosestPass);
   ray.along = dot(direction, light.axis);
   ray.across = dot(ray.nearest, light.axis);
-  ray.reached = clipToRange(vec2(-ray.closest, end - ray.closest), pass, light.range);
-  if (light.kind == kLocalSpot) ray.reached = clipToCone(ray.reached, pass, ray.along, ray.across, light.cosOuter);
+  ray.reached = clipToRange(vec2(-ray.closest, end - ray.closest), pass, opaque(light.range));
+  if (opaque(light.kind) == kLocalSpot) ray.reached = clipToCone(ray.reached, pass, ray.along, ray.across, light.cosOuter);
   return ray;
 }
 
@@ -61,7 +63,7 @@ vec3 localRest(LocalBlock light, LocalRay ray, float s, float angle, float sigma
   float d = sqrt(d2);
   float cosine = (ray.across + s * ray.along) / d;
   return lightColour(light, ray.direction, ray.closest + s, angle * d2 / ray.pass) *
-         (localAttenuation(d2, light.range, cosine, light.coneScale, light.coneOffset) * phaseHenyeyGreenstein(-s / d, g) *
+         (localAttenuation(d2, opaque(light.range), cosine, light.coneScale, light.coneOffset) * phaseHenyeyGreenstein(-s / d, g) *
           exp(-sigma_t * (ray.closest + s + d)));
 }
 

@@ -35,7 +35,7 @@ vec4 lookUp(sampler2DArray prefix, Place place, float layer) {
     vec4 sum = vec4(0.0);
     for (float i = 0.5; i < taps; i += 1.0) {
       float slice = place.slice + place.wide * (i / taps - 0.5);
-      if (light.map.fullCircle != 0u) slice = mod(slice, float(light.map.slices));
+      if (opaque(light.map.fullCircle) != 0u) slice = mod(slice, float(light.map.slices));
       // No filter may reach beyond the light's own slices.
       float half_ = 0.5 * exp2(ceil(place.lod));
       slice = clamp(slice, half_, float(light.map.slices) - half_);
@@ -130,7 +130,7 @@ float pixelSlices(RowRay ray) {
   for (int i = 0; i < 2; ++i) {
     vec3 next = i == 0 ? direction + right : direction - up;
     float moved = abs(sliceCoordinate(vec2(dot(next, light.map.e1), dot(next, light.map.e2))) - ray.slice);
-    if (light.map.fullCircle != 0u) moved = min(moved, float(light.map.slices) - moved);
+    if (opaque(light.map.fullCircle) != 0u) moved = min(moved, float(light.map.slices) - moved);
     widest = max(widest, moved);
   }
   return clamp(widest, 1.0, kWidestPixel);
@@ -150,7 +150,7 @@ vec3 meanVisibility(RowRay ray) {
   vec2 a = vec2(0.0, float(segmentBorder(ray.a.s, 1u)));
   vec2 b = vec2(0.0, float(segmentBorder(ray.b.s, 1u)));
   // Whole segments, and then the one in which the ray ends.
-  while (i + 1u < light.map.segmentCount && (nearerA ? a.y : b.y) <= last) {
+  while (i + 1u < opaque(light.map.segmentCount) && (nearerA ? a.y : b.y) <= last) {
     vec2 own = nearerA ? a : b;
     if (own.y > own.x) {
       float weight = ownWeight(ray, s, own.x, own.y);

@@ -39,7 +39,7 @@ struct RowRay {
 
 int wrapSlice(int index) {
   int count = int(light.map.slices);
-  return light.map.fullCircle != 0u ? (index + count) % count : clamp(index, 0, count - 1);
+  return opaque(light.map.fullCircle) != 0u ? (index + count) % count : clamp(index, 0, count - 1);
 }
 
 // Distance from the axis in the slice of `s` that a ray's end has: rows share columns along e1 in a projective map.
@@ -84,7 +84,7 @@ RowRay rowRay(vec3 local, float end, bool interpolate) {
     float b = ray.b.weight > 0.0 ? ray.b.weight * unshadowedOver(ray.b.s, ray) : 0.0;
     ray.whole = a + b;
     // Slices that do not wrap round may be those of a cone, beyond which no light goes.
-    if (light.map.fullCircle == 0u && abs(ray.slice - 0.5 * float(light.map.slices)) > 0.5 * float(light.map.slices) + 0.5) ray.whole = 0.0;
+    if (opaque(light.map.fullCircle) == 0u && abs(ray.slice - 0.5 * float(light.map.slices)) > 0.5 * float(light.map.slices) + 0.5) ray.whole = 0.0;
     if (ray.whole > 0.0) {
       ray.a.weight = a / ray.whole;
       ray.b.weight = b / ray.whole;
@@ -136,8 +136,8 @@ vec3 visibleIntegral(RowRay ray, float end) {
   // What a projective map does not reach, the decimetre up to the near plane, is seen as the eye is. (Klehm et al. 2014 let it share
   // the row's average, which made the forest 0.6 % too dark.)
   vec2 eye = light.sun.shadowEye.xy;
-  bool covered = all(greaterThanEqual(eye, vec2(0.0))) && all(lessThan(eye, vec2(light.sun.shadowSize)));
-  if (byTangent() && light.map.nearLit == 0u && covered)
+  bool covered = opaque(all(greaterThanEqual(eye, vec2(0.0)))) && opaque(all(lessThan(eye, vec2(light.sun.shadowSize))));
+  if (byTangent() && opaque(light.map.nearLit) == 0u && covered)
     blocked += transmittanceIntegral(sigma_t, 0.0, enter) * blockedAt(light.sun, shadowMap, light.sun.shadowEye);
   return vec3(unshadowed_ - blocked);
 }
@@ -155,20 +155,20 @@ void main() {
   vec3 integral;
   float sigma_t = frame.rays.sigma_t;
   bool interpolate = kRowFilter != kRowNearest;
-  if (frame.rectified.epipole_block > 0 && inEpipoleBlock(vec2(pixel) + 0.5)) {
-    integral = kLocal ? denselyMarchedLocal(light.local, shadowMap, direction, end, sigma_t, frame.rays.g, kMostBlockSteps)
+  if (opaque(frame.rectified.epipole_block) > 0 && inEpipoleBlock(vec2(pixel) + 0.5)) {
+    integral = kLocal ? denselyMarchedLocal(light.local, shadowMap, direction, end, sigma_t, opaque(frame.rays.g), kMostBlockSteps)
                       : denselyMarched(light.sun, shadowMap, direction, end, sigma_t, kMostBlockSteps);
   } else {
     integral = visibleIntegral(rowRay(local, end, interpolate), end);
     // Klehm et al. 2014, section 3.1: what the row says of the stretch up to the camera's near plane is taken off again.
-    if (frame.rectified.near_correction != 0 && byTangent() && light.map.nearLit == 0u) {
+    if (opaque(frame.rectified.near_correction) != 0 && byTangent() && opaque(light.map.nearLit) == 0u) {
       float near = min(perAxial * frame.rays.znear, end);
       integral -= visibleIntegral(rowRay(local, near, interpolate), near);
     }
     if (kLocal) integral *= light.local.intensity;
   }
   vec3 radiance = frame.rays.albedo * sigma_t * max(integral, vec3(0.0));
-  if (!kLocal) radiance *= phaseHenyeyGreenstein(local.z, frame.rays.g) * light.sun.irradiance * light.map.share;
+  if (!kLocal) radiance *= phaseHenyeyGreenstein(local.z, opaque(frame.rays.g)) * light.sun.irradiance * light.map.share;
 #ifdef TY_SHOWN
   vec4 shown = TY_SHOWN;
   if (shown.a >= 0.0) {

@@ -31,7 +31,7 @@ void main() {
   if (s.last > s.first) {
     float psi = columnDistance(s, float(at.y) + 0.5);
     vec3 away = lightRay(s.direction, psi);
-    bool spot = light.local.kind == kLocalSpot;
+    bool spot = opaque(light.local.kind) == kLocalSpot;
     uint face = localFace(light.local, away);
     vec3 m = abs(away);
     float along = spot ? dot(away, light.local.axis) : max(m.x, max(m.y, m.z));

@@ -56,17 +56,17 @@ void referenceShares(float nodeLow, float nodeHigh, float theta, float length_, 
 float referenceKey(Slice s, int k, int count) {
   float node = mix(s.nodeLow, s.nodeHigh, 0.5 + 0.5 * chebyshevNode(k, count));
   if (kLocal) return kPi / (1.0 + exp(-node));
-  return frame.rectified.weights == kWeightsTransmittance ? frame.rays.sigma_t * referenceCosecant(node, referenceKappa()) : 0.0;
+  return opaque(frame.rectified.weights) == kWeightsTransmittance ? frame.rays.sigma_t * referenceCosecant(node, referenceKappa()) : 0.0;
 }
 
-float rangeOverDistance() { return light.local.range / light.distance; }
+float rangeOverDistance() { return opaque(light.local.range / light.distance); }
 
 // Weight of the columns between two coordinates for a reference ray, but for a factor that all columns of a slice share.
 float referenceWeight(Slice s, float key, float from, float to) {
   float a = columnDistance(s, from);
   float b = columnDistance(s, to);
   if (!kLocal) return transmittanceIntegral(key, a - s.first, b - s.first);
-  if (frame.rectified.weights != kWeightsTransmittance) return b - a;
-  return (b - a) * localWeight(key, 0.5 * (a + b), frame.rays.sigma_t * light.distance, frame.rays.g, rangeOverDistance(), light.mostWay,
+  if (opaque(frame.rectified.weights) != kWeightsTransmittance) return b - a;
+  return (b - a) * localWeight(key, 0.5 * (a + b), frame.rays.sigma_t * light.distance, opaque(frame.rays.g), rangeOverDistance(), light.mostWay,
                                light.leastWindow);
 }

@@ -4,7 +4,7 @@
 float ownWeight(RowRay ray, Slice s, float from, float to) {
   float a = columnDistance(s, from);
   float b = columnDistance(s, to);
-  if (frame.rectified.weights != kWeightsTransmittance) return b - a;
+  if (opaque(frame.rectified.weights) != kWeightsTransmittance) return b - a;
   if (kLocal) return max(unshadowedTo(ray.theta, b) - unshadowedTo(ray.theta, a), 0.0);
   float safeSine = max(ray.sine, 1e-7);
   return transmittanceIntegral(frame.rays.sigma_t, a / safeSine, b / safeSine);

@@ -1,6 +1,8 @@
 // From view rays to rows of the rectified map. Needs lib/epipolar.glsl and stages/rectified.h before it, and in scope:
 // `light` (RectifiedLightBlock) and `slices[]` (Slice).
 
+#include "stages/opaque.glsl"
+
 const float kPi = 3.14159265358979;
 
 // What the layout can come to: a branch that cannot be taken costs as much as one that is, on a device that runs both under masks.
@@ -9,8 +11,8 @@ layout(constant_id = 14) const bool kBorder = true;
 layout(constant_id = 15) const bool kLocal = false;   // spot and point lights: columns are angles at the light
 layout(constant_id = 27) const bool kShaped = false;  // light rays differ in strength: cones and cookies
 layout(constant_id = 28) const bool kColoured = false;  // and in colour
-bool byTangent() { return kProjective && light.map.slicing == kSlicesByTangent; }
-bool byBorder() { return kBorder && light.map.slicing == kSlicesByBorder; }
+bool byTangent() { return kProjective && opaque(light.map.slicing) == kSlicesByTangent; }
+bool byBorder() { return kBorder && opaque(light.map.slicing) == kSlicesByBorder; }
 
 // Slice coordinate of a direction with components p along (e1, e2): slice i covers [i, i + 1].
 float sliceCoordinate(vec2 p) {
@@ -18,7 +20,7 @@ float sliceCoordinate(vec2 p) {
   float phi = atan(p.y, p.x);
   if (!byBorder()) return (phi - light.map.sliceLow) / light.map.sliceStep;
   uint i = 0u;
-  while (i + 1u < light.map.edgeCount && phi > light.map.edges[i].phiEnd) ++i;
+  while (i + 1u < opaque(light.map.edgeCount) && phi > light.map.edges[i].phiEnd) ++i;
   BorderEdge edge = light.map.edges[i];
   float turn = edge.delta.x * p.y - edge.delta.y * p.x;
   float t = -(edge.start.x * p.y - edge.start.y * p.x) / (abs(turn) < 1e-12 ? 1e-12 : turn);
@@ -33,7 +35,7 @@ vec2 sliceDirection(float at) {
     return vec2(cos(phi), sin(phi));
   }
   uint i = 0u;
-  while (i + 1u < light.map.edgeCount && at > light.map.edges[i].sliceStart + light.map.edges[i].sliceCount) ++i;
+  while (i + 1u < opaque(light.map.edgeCount) && at > light.map.edges[i].sliceStart + light.map.edges[i].sliceCount) ++i;
   BorderEdge edge = light.map.edges[i];
   float t = clamp((at - edge.sliceStart) / max(edge.sliceCount, 1e-6), 0.0, 1.0);
   return normalize(edge.start + t * edge.delta);
@@ -43,10 +45,10 @@ vec2 sliceDirection(float at) {
 // along a view ray, for which any point of it does.
 float rectifiedDepth(float c, float h) {
   float depth = clamp((inclination(c, h) - light.map.depthLow) * light.map.depthScale, 0.0, 1.0);
-  return light.map.depthPower == 1.0 ? depth : pow(depth, light.map.depthPower);
+  return opaque(light.map.depthPower) == 1.0 ? depth : pow(depth, light.map.depthPower);
 }
 
-uint totalColumns() { return light.map.columns * light.map.splits; }
+uint totalColumns() { return opaque(light.map.columns * light.map.splits); }
 
 // Distance from the axis, m, or angle at the light, rad, at a column coordinate in [0, totalColumns()].
 float columnDistance(Slice s, float column) {
@@ -70,7 +72,7 @@ float columnAt(Slice s, float c) {
   if (s.last <= s.first) return 0.0;
   float inverse = s.perX / max(c, 1e-12);
   uint i = 0u;
-  while (i + 1u < light.map.splits && inverse < light.map.inverse[i + 1u]) ++i;
+  while (i + 1u < opaque(light.map.splits) && inverse < light.map.inverse[i + 1u]) ++i;
   float a = light.map.inverse[i];
   float b = light.map.inverse[i + 1u];
   return (float(i) + clamp((a - inverse) / (a - b), 0.0, 1.0)) * columns;
@@ -78,9 +80,9 @@ float columnAt(Slice s, float c) {
 
 // Column at which segment i of a slice begins, i up to the number of segments (where the last ends).
 uint segmentBorder(Slice s, uint i) {
-  if (!kProjective || light.map.segmentsByDistance == 0u) return light.map.segmentStart[i];
+  if (!kProjective || opaque(light.map.segmentsByDistance) == 0u) return light.map.segmentStart[i];
   if (i == 0u) return 0u;
-  if (i >= light.map.segmentCount) return light.map.columns;
-  float reach = light.map.segmentDistance[i] * (light.map.fullCircle != 0u ? 1.0 : s.perX);
+  if (i >= opaque(light.map.segmentCount)) return light.map.columns;
+  float reach = light.map.segmentDistance[i] * (opaque(light.map.fullCircle) != 0u ? 1.0 : s.perX);
   return min(8u * uint(columnAt(s, reach) * 0.125 + 0.5), light.map.columns);  // whole eights: mips do not mix two segments
 }

@@ -43,11 +43,11 @@ void main() {
   float slice = float(at.x) + 0.5;
   vec3 strength = vec3(1.0);
   vec3 middle = onLightRay(s, slice, column + 0.5);
-  if (kLocal && light.local.kind == kLocalSpot) {
+  if (kLocal && opaque(light.local.kind) == kLocalSpot) {
     float cone = clamp(dot(middle, light.local.axis) * light.local.coneScale + light.local.coneOffset, 0.0, 1.0);
     strength *= cone * cone;
   }
-  if (kColoured && light.cookie.faces != 0u) {
+  if (kColoured && opaque(light.cookie.faces) != 0u) {
     vec3 along = onLightRay(s, slice, column + 1.0) - onLightRay(s, slice, column);
     vec3 across = onLightRay(s, slice + 0.5, column + 0.5) - onLightRay(s, slice - 0.5, column + 0.5);
     strength *= cookieColour(light.cookie, (kLocal ? light.local.position : vec3(0.0)) + middle, along, across);

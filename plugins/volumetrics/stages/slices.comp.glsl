@@ -30,7 +30,7 @@ const int kByTransmittance = 1;
 // Inclinations of the frustum in the half-plane of a direction along (e1, e2).
 vec2 thetaRange(vec2 direction) {
   vec2 interval = vec2(0.0, kPi);
-  for (uint i = 0u; i < light.map.planeCount; ++i) {
+  for (uint i = 0u; i < opaque(light.map.planeCount); ++i) {
     vec3 n = light.map.planes[i];
     interval = clipToFrustumPlane(interval, n.z, dot(n.xy, direction));
   }
@@ -41,12 +41,13 @@ vec2 thetaRange(vec2 direction) {
 // range cuts the light rays that pass it before they meet the view rays, which is the case at both ends of the interval of each view ray.
 vec2 localSpan(vec2 direction, vec2 theta) {
   vec2 span = vec2(0.0, kPi - theta.x);
-  if (light.local.kind == kLocalSpot) {
+  if (opaque(light.local.kind) == kLocalSpot) {
     vec3 e = direction.x * light.map.e1 + direction.y * light.map.e2;
     vec2 cone = coneAngles(-dot(light.sun.towards, light.local.axis), dot(e, light.local.axis), light.local.cosOuter);
     span = vec2(max(span.x, cone.x), min(span.y, cone.y));
   }
-  if (light.local.range > 0.0 && light.local.range < light.distance) {
+  float range = opaque(light.local.range);
+  if (range > 0.0 && range < light.distance) {
     // A chord of the range's sphere: psi = pi/2 - theta -+ acos(D sin(theta)/range), over the inclinations that meet the sphere.
     float most = asin(light.local.range / light.distance);
     vec2 met = vec2(theta.x, min(theta.y, most));
@@ -74,7 +75,7 @@ void main() {
     if (cut.y >= cut.x) theta = vec2(min(theta.x, cut.x), max(theta.y, cut.y));
   }
   if (theta.y < theta.x) theta = vec2(light.map.meanTheta);  // a slice that no pixel falls into
-  vec2 span = light.map.polygonCount > 0u ? vec2(0.0, 1e30) : vec2(1.0, 0.0);
+  vec2 span = opaque(light.map.polygonCount) > 0u ? vec2(0.0, 1e30) : vec2(1.0, 0.0);
   if (kLocal) {
     span = vec2(kPi, 0.0);
     for (int side = 0; side <= 2; ++side) {
@@ -82,9 +83,9 @@ void main() {
       if (part.y > part.x) span = vec2(min(span.x, part.x), max(span.y, part.y));
     }
   } else if (byTangent()) {
-    if (light.map.polygonCount > 0u) span = record.perX / vec2(light.map.inverse[0], light.map.inverse[light.map.splits]);
+    if (opaque(light.map.polygonCount) > 0u) span = record.perX / vec2(light.map.inverse[0], light.map.inverse[light.map.splits]);
   } else {
-    for (uint j = 0u; j < light.map.polygonCount; ++j) {
+    for (uint j = 0u; j < opaque(light.map.polygonCount); ++j) {
       vec3 halfPlane = light.map.polygon[j];
       span = clipToHalfPlane(span, dot(halfPlane.xy, record.direction), halfPlane.z);
     }
@@ -96,8 +97,8 @@ void main() {
   if (kLocal) {
     vec2 ends = vec2(referencePosition(theta.x), referencePosition(theta.y));
     if (kReferenceRays == 1)
-      ends = vec2(frame.rectified.reference_ray == kBisectrix ? referencePosition(0.5 * (theta.x + theta.y))
-                  : frame.rectified.reference_ray == kMean    ? referencePosition(light.map.meanTheta)
+      ends = vec2(opaque(frame.rectified.reference_ray) == kBisectrix ? referencePosition(0.5 * (theta.x + theta.y))
+                  : opaque(frame.rectified.reference_ray) == kMean    ? referencePosition(light.map.meanTheta)
                                                               : 0.5 * (ends.x + ends.y));
     record.nodeLow = ends.x;
     record.nodeHigh = ends.y;
@@ -111,8 +112,8 @@ void main() {
       // Klehm's rays are those of the longest and the shortest path: the bisectrix lies between their inclinations.
       float farEnd = atLow > atHigh ? theta.x : theta.y;
       float nearEnd = straddles ? 0.5 * kPi : atLow > atHigh ? theta.y : theta.x;
-      ends = vec2(frame.rectified.reference_ray == kBisectrix ? cosecant(0.5 * (nearEnd + farEnd))
-                  : frame.rectified.reference_ray == kMean    ? cosecant(light.map.meanTheta)
+      ends = vec2(opaque(frame.rectified.reference_ray) == kBisectrix ? cosecant(0.5 * (nearEnd + farEnd))
+                  : opaque(frame.rectified.reference_ray) == kMean    ? cosecant(light.map.meanTheta)
                                                               : sqrt(ends.x * ends.y));  // Klehm et al. 2014, section 3.2
     }
     vec2 nodes = vec2(referenceCoordinate(ends.x, kappa), referenceCoordinate(ends.y, kappa));
@@ -121,7 +122,7 @@ void main() {
   }
 
   record.nearest = 1.0;
-  if (!kLocal && !byTangent() && frame.rectified.column_spacing == kByTransmittance) {
+  if (!kLocal && !byTangent() && opaque(frame.rectified.column_spacing) == kByTransmittance) {
     float middle = referenceCosecant(0.5 * (record.nodeLow + record.nodeHigh), referenceKappa());
     record.nearest = nearestForTransmittance(frame.rays.sigma_t * middle * (span.y - span.x));
   }

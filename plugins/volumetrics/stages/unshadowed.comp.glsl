@@ -17,6 +17,8 @@ layout(binding = 0, scalar) uniform Frame { RectifiedBlock frame; };
 layout(binding = 1, scalar) uniform Light { RectifiedLightBlock light; };
 layout(binding = 2) uniform writeonly image2DArray unshadowed;
 
+#include "stages/opaque.glsl"
+
 shared float sums[kLanes];
 
 const float kNode = 0.5773502691896258;  // 1/sqrt(3)
@@ -25,7 +27,7 @@ float cell(float theta, float whole, float from, float width) {
   float sum = 0.0;
   for (int i = 0; i < 2; ++i)
     sum += localWeight(theta, whole * (from + width * (0.5 + 0.5 * (i == 0 ? -kNode : kNode))), frame.rays.sigma_t * light.distance,
-                       frame.rays.g, light.local.range / light.distance, 1e9, 0.0);
+                       opaque(frame.rays.g), opaque(light.local.range / light.distance), 1e9, 0.0);
   return 0.5 * width * sum;
 }
 

@@ -44,7 +44,8 @@ vec3 cookieColor(CookieBlock c, vec3 position, mat2x3 footprint) {
   // The sampler repeats: where the image does not, no filter may reach across its border.
   float border = 0.5 / max(1.0, floor(side * exp2(-ceil(lod))));
   vec2 inside = clamp(uv, border, 1.0 - border);
-  uv = vec2((c.repeats & 1u) != 0u ? uv.x : inside.x, (c.repeats & 2u) != 0u ? uv.y : inside.y);
+  uint repeats = opaque(c.repeats);
+  uv = vec2((repeats & 1u) != 0u ? uv.x : inside.x, (repeats & 2u) != 0u ? uv.y : inside.y);
   return textureLod(cookies, vec3(uv, float(layer)), lod).rgb;
 }
 

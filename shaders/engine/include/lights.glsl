@@ -26,7 +26,7 @@ vec3 irradianceFrom(LightCore light, vec3 position) {
   // A point on the light itself would give infinity: the inverse square ends at 1 mm.
   float d2 = max(dot(to, to), 1e-6);
   float attenuation = 1.0 / d2;
-  if (light.range > 0.0) {
+  if (opaque(light.range) > 0.0) {
     float q = d2 / (light.range * light.range);
     attenuation *= clamp(1.0 - q * q, 0.0, 1.0);
   }

@@ -67,7 +67,7 @@ MaterialSample sampleMaterial() {
   MaterialSample s;
   s.baseColor = material.baseColor * inColor;
   if (has(kBaseColorMap)) s.baseColor *= texture(baseColorMap, transformUv(material.baseColorUv, inUv));
-  s.normal = shadingNormal((material.flags & kMaterialDoubleSided) != 0u && !front);
+  s.normal = shadingNormal((opaque(material.flags) & kMaterialDoubleSided) != 0u && !front);
   s.metallic = material.metallic;
   s.roughness = material.roughness;
   if (has(kMetallicRoughnessMap)) {

@@ -6,6 +6,7 @@
 #define TYNDALL_OPAQUE_GLSL
 
 // The value itself; fragment shaders only: gl_FragCoord.w is above 0 wherever something is drawn.
-uint opaque(uint value) { return gl_FragCoord.w < 0.0 ? ~value : value; }
+uint opaque(uint value) { return value + uint(gl_FragCoord.w < 0.0); }
+float opaque(float value) { return value + float(gl_FragCoord.w < 0.0); }
 
 #endif

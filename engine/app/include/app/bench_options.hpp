@@ -34,6 +34,7 @@ struct TuneOptions {
   std::vector<std::uint32_t> cameras;  ///< empty: all of the level's but those held out
   std::vector<std::uint32_t> holdOut;  ///< views that the search does not see; the evidence says what was found has there
   std::uint32_t turned = 0;            ///< further views at each camera that is tuned on: turned by 20 degrees to both sides in turn, by 40, ...
+  bool lightViews = true;              ///< a camera that sees no light on these views gets one more, turned to a light
   double margin = 0.1;                 ///< part of the bound that the search keeps clear of, so that views it has not seen meet it too; 0...0.9
   std::pair<std::uint32_t, std::uint32_t> size{1280, 720};
   std::optional<double> budgetMs, maxError;  ///< one of the two

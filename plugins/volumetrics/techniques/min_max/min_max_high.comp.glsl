@@ -5,6 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/portable.h"
 #include "stages/rectified.h"
+#include "stages/opaque.glsl"
 #include "techniques/min_max/tree.glsl"
 
 layout(local_size_x = 32) in;
@@ -17,7 +18,7 @@ const int kMostChunks = 256;  // 4 splits of 4096 columns
 void main() {
   int slice = int(gl_GlobalInvocationID.x);
   if (slice >= int(light.map.slices)) return;
-  int padded = paddedColumns(int(light.map.columns * light.map.splits));
+  int padded = paddedColumns(int(opaque(light.map.columns * light.map.splits)));
   int chunks = padded / kChunk;
   int rounded = paddedChunks(padded);
   vec2 node[kMostChunks];

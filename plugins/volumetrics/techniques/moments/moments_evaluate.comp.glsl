@@ -42,9 +42,9 @@ const int kLower = 0, kHalf = 1, kUpper = 2;
 void visibilities(Place place, RowRay ray, out float v[kReferenceRays]) {
   float z = 2.0 * ray.depth - 1.0;
   float halfSine = sin(0.5 * ray.theta);
-  float beta = frame.overestimation == kLower ? 0.0
-             : frame.overestimation == kHalf  ? 0.5
-             : frame.overestimation == kUpper ? 1.0
+  float beta = opaque(frame.overestimation) == kLower ? 0.0
+             : opaque(frame.overestimation) == kHalf  ? 0.5
+             : opaque(frame.overestimation) == kUpper ? 1.0
                                               : halfSine * halfSine;  // section 5.3.1
   for (int k = 0; k < kReferenceRays; ++k) {
     vec4 first = lookUp(momentsA, place, float(k));

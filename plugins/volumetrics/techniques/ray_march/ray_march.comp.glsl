@@ -40,18 +40,18 @@ void main() {
   vec3 step_ = shadowStep(sun, direction);
   vec2 interval = shadowedPart(sun, step_, end);
   vec3 integral = vec3(transmittanceIntegral(sigma_t, 0.0, end));
-  float offset = frame.march.jitter == kJitterWhite ? whiteNoise(uvec3(pixel, frame.rays.frameIndex)) : 0.5;
+  float offset = opaque(frame.march.jitter) == kJitterWhite ? whiteNoise(uvec3(pixel, frame.rays.frameIndex)) : 0.5;
   if (hasCookie()) {
-    integral = colouredMarch(sun, shadowMap, direction, end, sigma_t, frame.march.steps, offset,
-                             frame.march.march_spacing == kSpacingTransmittance);
+    integral = colouredMarch(sun, shadowMap, direction, end, sigma_t, opaque(frame.march.steps), offset,
+                             opaque(frame.march.march_spacing) == kSpacingTransmittance);
   } else if (interval.y > interval.x) {
-    float blocked = frame.march.march_spacing == kSpacingTransmittance
-                        ? blockedByTransmittance(sun, shadowMap, step_, interval, sigma_t, frame.march.steps, offset)
-                        : blockedByDistance(sun, shadowMap, step_, interval, sigma_t, frame.march.steps, offset);
+    float blocked = opaque(frame.march.march_spacing) == kSpacingTransmittance
+                        ? blockedByTransmittance(sun, shadowMap, step_, interval, sigma_t, opaque(frame.march.steps), offset)
+                        : blockedByDistance(sun, shadowMap, step_, interval, sigma_t, opaque(frame.march.steps), offset);
     integral -= transmittanceIntegral(sigma_t, interval.x, interval.y) * blocked;
   }
   float sigma_s = frame.rays.albedo * sigma_t;
-  float phase = phaseHenyeyGreenstein(dot(direction, sun.towards), frame.rays.g);
+  float phase = phaseHenyeyGreenstein(dot(direction, sun.towards), opaque(frame.rays.g));
   vec3 radiance = sigma_s * phase * max(integral, vec3(0.0)) * sun.irradiance;
   if (kFirstLight)
     imageStore(scatter, ivec2(pixel), vec4(radiance, exp(-sigma_t * end)));

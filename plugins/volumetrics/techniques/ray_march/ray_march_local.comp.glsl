@@ -39,10 +39,10 @@ void main() {
   float sigma_t = frame.rays.sigma_t;
 
   LocalRay ray = localRay(light, direction, end);
-  float offset = frame.march.jitter == kJitterWhite ? whiteNoise(uvec3(pixel, frame.rays.frameIndex)) : 0.5;
-  vec3 sum = frame.march.march_spacing == kSpacingTransmittance
-                 ? marchedByAngle(light, shadowMap, ray, sigma_t, frame.rays.g, frame.march.steps, offset)
-                 : marchedByDistance(light, shadowMap, ray, sigma_t, frame.rays.g, frame.march.steps, offset);
+  float offset = opaque(frame.march.jitter) == kJitterWhite ? whiteNoise(uvec3(pixel, frame.rays.frameIndex)) : 0.5;
+  vec3 sum = opaque(frame.march.march_spacing) == kSpacingTransmittance
+                 ? marchedByAngle(light, shadowMap, ray, sigma_t, opaque(frame.rays.g), opaque(frame.march.steps), offset)
+                 : marchedByDistance(light, shadowMap, ray, sigma_t, opaque(frame.rays.g), opaque(frame.march.steps), offset);
   vec3 radiance = frame.rays.albedo * sigma_t * sum;
   if (kFirstLight)
     imageStore(scatter, ivec2(pixel), vec4(radiance, exp(-sigma_t * end)));
