@@ -121,7 +121,7 @@ Result<void> Editor::run() {
       if (!*going) break;
     }
     const bool idle = options_.frames == 0 && frames_ > 2 && !moving_ && !pictureWanted();
-    const bool building = session_->effect().background() == host::PluginEffect::Background::kBuilding;
+    const bool building = session_->background() == host::PluginEffect::Background::kBuilding;
     if (idle) window_->wait(building ? kBuildingSeconds : kIdleSeconds);
     else window_->poll();
     auto drawn = step();
@@ -169,7 +169,7 @@ Result<bool> Editor::step() {
   if (auto shown = renderWindow(); !shown) return shown.error();
   ++frames_;
   // Whether the window shows what the settings say: scripts wait for it.
-  const bool building = session_->effect().background() == host::PluginEffect::Background::kBuilding;
+  const bool building = session_->background() == host::PluginEffect::Background::kBuilding;
   workspace_.facts["picture"] = building ? "building" : pictureWanted() ? "due" : "current";
   const StateFile::Snapshot now{*session_, workspace_, *camera_, history_, camera_->view(fileCamera()), cameraIndex(), frames_, pictures_};
   if (auto written = state_.update(now); !written) return written.error();

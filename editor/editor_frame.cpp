@@ -25,7 +25,7 @@ void addCopy(render::Graph& graph, const char* name, render::ImageRef from, rend
 bool Editor::pictureWanted() const {
   const bool otherSize = !picture_ || picture_.desc().width != viewWidth_ || picture_.desc().height != viewHeight_;
   return workspace_.changed || workspace_.playing || workspace_.continuous || options_.frames > 0 || otherSize ||
-         session_->effect().background() == host::PluginEffect::Background::kReady;
+         session_->background() == host::PluginEffect::Background::kReady;
 }
 
 Result<void> Editor::renderPicture() {

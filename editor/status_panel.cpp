@@ -4,7 +4,7 @@ namespace tyndall::editor {
 void drawStatus(app::Session& session, const Workspace& workspace, std::uint32_t width, std::uint32_t height) {
   const auto& failure = session.effect().failure();
   if (failure) ImGui::TextColored(kErrorColor, "%s", failure->message.c_str());
-  else if (session.effect().background() != host::PluginEffect::Background::kIdle)
+  else if (session.background() != host::PluginEffect::Background::kIdle)
     ImGui::TextUnformatted("building what the new settings need; the picture is of those before");
   else if (workspace.messageIsError) ImGui::TextColored(kErrorColor, "%s", workspace.message.c_str());
   else if (!workspace.message.empty()) ImGui::TextUnformatted(workspace.message.c_str());

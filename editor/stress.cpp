@@ -76,7 +76,7 @@ Result<bool> Stress::act(const Stage& stage) {
   }
   if (mode_ == Mode::kGoingHome) {
     ++pause_;
-    quiet_ = stage.session.effect().background() == Background::kIdle ? quiet_ + 1 : 0;
+    quiet_ = stage.session.background() == Background::kIdle ? quiet_ + 1 : 0;
     if (quiet_ < kQuietFrames && pause_ < kMostQuietFrames) return true;
     if (quiet_ < kQuietFrames) unexpected_.push_back("the background build does not end");
     atHome_.push_back({residentBytes(), allocatedBytes(), stage.session.device().allocatedBytes()});

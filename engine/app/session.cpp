@@ -1,6 +1,7 @@
 #include "app/session.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "base/assert.hpp"
 #include "base/file.hpp"
@@ -18,6 +19,7 @@ Result<std::unique_ptr<Session>> Session::open(std::unique_ptr<Catalogue> catalo
   auto renderer = render::Renderer::create(*session->device_, executableFolder() / "shaders");
   if (!renderer) return renderer.error();
   session->renderer_ = renderer.take();
+  session->frameBuilder_ = std::make_unique<render::FrameBuilder>(*session->device_, *session->renderer_, executableFolder() / "shaders");
   auto effect = host::PluginEffect::create(*session->device_, session->catalogue_->effectPlugin(), session->table());
   if (!effect) return effect.error();
   session->effect_ = effect.take();
@@ -35,9 +37,75 @@ Result<void> Session::setLevel(Level level) {
   if (auto uploaded = renderer_->setScene(level.scene); !uploaded)
     return Error{level.path.string() + ": " + uploaded.error().message, uploaded.error().kind};
   level_ = std::move(level);
+  frameBuilder_->cancel();
+  drawn_.reset(), coming_.reset();
+  momentsForeseen_ = false;
   ++levelsSet_;
   cut_ = true;
   return {};
+}
+
+render::FrameSettings Session::asked(const FrameRequest& request) const {
+  const params::Table& values = catalogue_->table();
+  const auto text = [&](const char* id) { return params::toText(*values.find(id), values.value(id)); };
+  render::FrameSettings settings;
+  settings.exposure = static_cast<float>(values.value("view.exposure"));
+  settings.shadowResolution = static_cast<std::uint32_t>(values.value("shadows.resolution"));
+  settings.reuseShadows = values.value("shadows.reuse") != 0;
+  settings.shadowMode = text("shadows.mode") == "moments" ? render::ShadowMode::kMoments : render::ShadowMode::kPcf;
+  settings.shadowPrecision = text("shadows.precision") == "128" ? 128 : 64;
+  settings.debugView = request.debugView;
+  settings.offered = request.views;
+  return settings;
+}
+
+namespace {
+
+/// Whether frames with both settings are drawn by the same pipelines and the same code of theirs (which llvmpipe makes for sides that are powers of
+/// two, or are not).
+bool sameCode(const render::FrameSettings& a, const render::FrameSettings& b) {
+  return a.shadowMode == b.shadowMode && a.shadowPrecision == b.shadowPrecision &&
+         std::has_single_bit(a.shadowResolution) == std::has_single_bit(b.shadowResolution);
+}
+
+}  // namespace
+
+render::FrameSettings Session::inEffect(const render::FrameSettings& asked, const render::Renderer::Input& frame) {
+  if (!inBackground_ || !drawn_ || sameCode(asked, *drawn_)) {
+    if (coming_) frameBuilder_->cancel(), coming_.reset();
+    drawn_ = asked;
+    // The effect may be about to read moment maps that surfaces do not.
+    if (inBackground_ && !momentsForeseen_ && effect_->readsShadowMoments()) {
+      momentsForeseen_ = true;
+      render::FrameSettings moments = asked;
+      moments.shadowMode = render::ShadowMode::kMoments;
+      frameBuilder_->start(frame, moments);
+    }
+    if (frameBuilder_->done()) frameBuilder_->finish();
+    return asked;
+  }
+  if (!coming_ || !sameCode(*coming_, asked)) {
+    coming_ = asked;
+    momentsForeseen_ = false;  // if that is what was being built
+    frameBuilder_->start(frame, asked);
+  }
+  if (frameBuilder_->done()) {
+    frameBuilder_->finish();
+    coming_.reset();
+    drawn_ = asked;
+    return asked;
+  }
+  render::FrameSettings before = asked;
+  before.shadowMode = drawn_->shadowMode;
+  before.shadowPrecision = drawn_->shadowPrecision;
+  before.shadowResolution = drawn_->shadowResolution;
+  return before;
+}
+
+Session::Background Session::background() const {
+  const Background effect = effect_->background();
+  if (!coming_ || effect == Background::kReady) return effect;
+  return frameBuilder_->done() ? Background::kReady : Background::kBuilding;
 }
 
 Result<render::FrameOutput> Session::buildFrame(render::Graph& graph, const FrameRequest& request) {
@@ -55,16 +123,7 @@ Result<render::FrameOutput> Session::buildFrame(render::Graph& graph, const Fram
   input.seconds = request.seconds;
   input.frameIndex = frameIndex_++;
   input.reset = request.reset || cut_ || size != lastSize_;
-  input.settings.exposure = static_cast<float>(table().value("view.exposure"));
-  input.settings.shadowResolution = static_cast<std::uint32_t>(table().value("shadows.resolution"));
-  input.settings.reuseShadows = table().value("shadows.reuse") != 0;
-  input.settings.shadowMode = params::toText(*table().find("shadows.mode"), table().value("shadows.mode")) == "moments"
-                                  ? render::ShadowMode::kMoments
-                                  : render::ShadowMode::kPcf;
-  input.settings.shadowPrecision =
-      params::toText(*table().find("shadows.precision"), table().value("shadows.precision")) == "128" ? 128 : 64;
-  input.settings.debugView = request.debugView;
-  input.settings.offered = request.views;
+  input.settings = inEffect(asked(request), input);
   input.effect = effect_.get();
   auto output = renderer_->addFrame(graph, input);
   if (!output) {
@@ -154,10 +213,13 @@ Result<void> Session::reloadPlugin() {
 
 void Session::buildInBackground(bool on) {
   inBackground_ = on;
+  if (!on) frameBuilder_->cancel(), coming_.reset();
   effect_->buildInBackground(on);
 }
 
 std::vector<std::string> Session::reloadShaders() {
+  frameBuilder_->cancel();  // what it makes may be of the shaders before
+  coming_.reset();
   std::vector<std::string> lines = renderer_->reloadShaders();
   for (std::string& line : effect_->reloadShaders()) lines.push_back(std::move(line));
   return lines;

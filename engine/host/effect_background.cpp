@@ -183,6 +183,15 @@ PluginEffect::Background PluginEffect::background() const {
   return s.coming->made || s.builder.done() ? Background::kReady : Background::kBuilding;
 }
 
+bool PluginEffect::readsShadowMoments() const {
+  const auto reads = [](const std::shared_ptr<Built>& of) {
+    return of && std::any_of(of->layout.passes.begin(), of->layout.passes.end(), [](const LayoutPass& pass) {
+             return std::any_of(pass.bindings.begin(), pass.bindings.end(), [](const TyBinding& b) { return b.source == TY_SOURCE_SHADOW_MOMENTS; });
+           });
+  };
+  return reads(state_->built) || (state_->coming && reads(state_->coming->built));
+}
+
 void PluginEffect::frameSubmitted() {
   state_->open = false;
   state_->before.reset();

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.hpp"
@@ -42,11 +44,25 @@ class PipelineLibrary {
   /// line per shader changed or broken.
   std::vector<std::string> reload();
 
+  /// Pipelines by name that another library has made, or is to leave out.
+  struct Names {
+    std::set<std::string> graphics, compute;
+  };
+  struct Made {
+    std::vector<std::pair<Recipe, gpu::Pipeline>> graphics;
+    std::vector<std::pair<ComputeRecipe, gpu::Pipeline>> compute;
+  };
+  Names names() const;
+  /// This library's recipes, but for those that are `known`, as pipelines of another device.
+  Result<Made> makeFor(gpu::Device& device, const Names& known);
+  /// Takes what is new here.
+  void adopt(Made made);
+
   std::size_t size() const { return graphics_.size() + compute_.size(); }
 
  private:
-  Result<gpu::Pipeline> make(const Recipe& recipe);
-  Result<gpu::Pipeline> make(const ComputeRecipe& recipe);
+  Result<gpu::Pipeline> make(gpu::Device& device, const Recipe& recipe);
+  Result<gpu::Pipeline> make(gpu::Device& device, const ComputeRecipe& recipe);
 
   template <class R>
   struct Entry {
@@ -63,6 +79,10 @@ class PipelineLibrary {
 
   template <class R>
   void letGoOfOld(Entries<R>& entries);
+  template <class R>
+  Result<void> makeAll(const Entries<R>& entries, gpu::Device& device, const std::set<std::string>& known, std::vector<std::pair<R, gpu::Pipeline>>& made);
+  template <class R>
+  void adoptAll(Entries<R>& entries, std::vector<std::pair<R, gpu::Pipeline>> made);
 
   gpu::Device& device_;
   gpu::ShaderFolder shaders_;

@@ -225,6 +225,7 @@ ImageRef Renderer::addDistance(Graph& graph, const View& view, ImageRef depth) {
   return *distance;
 }
 
+PipelineLibrary& Renderer::pipelines() { return state_->pipelines; }
 std::vector<std::string> Renderer::reloadShaders() { return state_->pipelines.reload(); }
 const std::vector<std::string>& Renderer::notes() const { return state_->notes; }
 

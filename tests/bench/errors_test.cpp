@@ -1,10 +1,12 @@
 // Quartiles, and errors split by where they lie, against pictures made by hand.
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "bench/error_split.hpp"
+#include "bench/statistics.hpp"
 #include "bench/truths.hpp"
 
 namespace tyndall::bench {
@@ -129,6 +131,25 @@ scene::LightView sunFrom(double azimuth, double elevation) {
   sun.light.kind = scene::LightKind::kDirectional;
   sun.direction = glm::vec3(std::sin(a) * std::cos(e), -std::sin(e), std::cos(a) * std::cos(e));  // azimuth grows to the left from -z
   return sun;
+}
+
+// Of series of random numbers with logarithms spread normally: how often one more stays under the limit.
+TEST(PredictionLimit, HoldsInNineteenOfTwentyCases) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal(-3, 0.4);
+  for (const std::size_t count : {3u, 4u, 6u, 9u, 21u, 40u}) {
+    int under = 0;
+    constexpr int kSeries = 20000;
+    for (int i = 0; i < kSeries; ++i) {
+      std::vector<double> values(count);
+      for (double& value : values) value = std::exp(normal(random));
+      under += std::exp(normal(random)) <= predictionLimit(values).value();
+    }
+    EXPECT_NEAR(static_cast<double>(under) / kSeries, 0.95, 0.006) << count;
+  }
+  EXPECT_FALSE(predictionLimit({0.1, 0.2}));
+  EXPECT_FALSE(predictionLimit({0.1, 0.2, 0.0}));
+  EXPECT_DOUBLE_EQ(predictionLimit({0.25, 0.25, 0.25}).value(), 0.25) << "no spread";
 }
 
 TEST(Turn, YawGoesLeftAndPitchUp) {

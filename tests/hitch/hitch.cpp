@@ -110,7 +110,7 @@ void Bench::settle(const Settings& settings) {
     for (const std::string& setting : list) must(session_->table().setAssignment(setting));
   const auto start = Clock::now();
   do (void)frame();
-  while (session_->effect().background() != Background::kIdle && secondsSince(start) < kMostSeconds);
+  while (session_->background() != Background::kIdle && secondsSince(start) < kMostSeconds);
   (void)frame();
 }
 
@@ -124,7 +124,7 @@ Change Bench::change(const std::string& id, const std::string& value) {
   const auto start = Clock::now();
   const auto timed = [&] {
     std::this_thread::sleep_for(kPause);
-    const bool building = session_->effect().background() == Background::kBuilding;
+    const bool building = session_->background() == Background::kBuilding;
     const Times times = frame();
     if (!building) change.cpuWorst = std::max(change.cpuWorst, times.cpu);
     if (times.wall <= change.worst) return;
@@ -138,7 +138,7 @@ Change Bench::change(const std::string& id, const std::string& value) {
   int entries = cacheEntries();
   for (;; ++change.frames) {
     timed();
-    if (session_->effect().background() == Background::kIdle) break;
+    if (session_->background() == Background::kIdle) break;
     entries = cacheEntries();
     if (secondsSince(start) > kMostSeconds)
       throw std::runtime_error(change.what + ": not built in " + std::to_string(kMostSeconds) + " s");

@@ -1,4 +1,4 @@
-// A changed setting does not hold up the frames: three that need new pipelines, with caches that know none of them.
+// A changed setting does not hold up the frames: some that need new pipelines, with caches that know none of them.
 #include <algorithm>
 #include <cstdio>
 
@@ -18,6 +18,8 @@ const Case kCases[] = {
     {{"volumetrics.technique=ray_march"}, "volumetrics.technique", "moments6"},
     {{"volumetrics.technique=fourier", "volumetrics.basis_count=16"}, "volumetrics.basis_count", "32"},
     {{"volumetrics.technique=moments4"}, "volumetrics.reference_rays", "1"},
+    {{"volumetrics.technique=moments4"}, "shadows.mode", "moments"},
+    {{"volumetrics.technique=moments4", "shadows.mode=moments"}, "shadows.precision", "128"},
 };
 
 void print(const Change& c) {

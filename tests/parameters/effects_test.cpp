@@ -213,9 +213,15 @@ TEST(Effects, FramesKeepNoMemory) {
                                          {"volumetrics.slices", "64"}, {"volumetrics.prefix_scheme", "row"}};
     const auto frames = [&](int count) { ASSERT_TRUE((*stand)->render(settings, *camera, {32, 18}, 0, count, false)); };
     frames(10);
-    const double before = held();
-    frames(30);
-    EXPECT_LT(held() - before, 8) << name << ": MiB of 30 frames";
+    // What is built or compiled late, in the background, counts once. What a frame keeps counts in every thirty of them.
+    double least = 1e9;
+    for (int turn = 0; turn < 4 && least >= 8; ++turn) {
+      const double before = held();
+      frames(30);
+      least = std::min(least, held() - before);
+      std::printf("%s: %.1f MiB in 30 frames\n", name, held() - before);
+    }
+    EXPECT_LT(least, 8) << name << ": MiB of 30 frames";
   }
 }
 

@@ -22,6 +22,7 @@
 #include "gpu/pipeline.hpp"
 #include "host/host.hpp"
 #include "render/frame.hpp"
+#include "render/frame_builder.hpp"
 #include "render/graph.hpp"
 
 namespace tyndall::app {
@@ -64,9 +65,12 @@ class Session {
   const std::vector<render::PassTime>& lastPassTimes() const { return lastTimes_; }
   std::uint64_t finishedFrames() const { return finished_; }  ///< frames whose times were taken
 
-  /// Changed parameters of the effect are built beside the frames (host::PluginEffect). Off from the start, so that a frame
-  /// is always of the table's values.
+  /// What changed parameters need is built beside the frames (host::PluginEffect, render::FrameBuilder), which go on with the values before. Off from
+  /// the start, so that a frame is always of the table's values.
   void buildInBackground(bool on);
+  using Background = host::PluginEffect::Background;
+  /// kBuilding: something is being built, and frames show what was; kReady: the next frame goes on with it.
+  Background background() const;
 
   /// Debug views of the engine and of the effect's present layout.
   std::vector<render::DebugViewInfo> debugViews() const;
@@ -97,6 +101,9 @@ class Session {
   };
   Session() = default;
   void takeTimes(Slot& slot);
+  render::FrameSettings asked(const FrameRequest& request) const;
+  /// The settings themselves, or in part those before, while what they need is being built.
+  render::FrameSettings inEffect(const render::FrameSettings& asked, const render::Renderer::Input& frame);
   Slot& currentSlot() { return slots_[device_->submittedFrames() % slots_.size()]; }
 
   // Destroyed from the last to the first: the effect before its plugin, everything before the device.
@@ -104,6 +111,7 @@ class Session {
   std::unique_ptr<gpu::Device> device_;
   std::unique_ptr<render::GraphMemory> memory_;
   std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::FrameBuilder> frameBuilder_;
   std::unique_ptr<host::PluginEffect> effect_;
   std::array<Slot, 2> slots_;            ///< as many as the device has frames in flight
   std::optional<Level> level_;
@@ -116,6 +124,8 @@ class Session {
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   bool cut_ = true;
   bool inBackground_ = false;
+  std::optional<render::FrameSettings> drawn_, coming_;  ///< of frames in the background mode: the last one's, and those being built
+  bool momentsForeseen_ = false;                         ///< moment maps for the effect alone were built
 };
 
 }  // namespace tyndall::app

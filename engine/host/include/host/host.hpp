@@ -93,6 +93,8 @@ class PluginEffect : public render::Effect {
     kReady,     ///< the next frame goes on with what was built
   };
   Background background() const;
+  /// Whether the layout, or the one that is being built, reads moment shadow maps.
+  bool readsShadowMoments() const;
   /// Call one of these after addPasses(): the frame was submitted, or it was not, because of `reason`. If it was the first of a
   /// layout made in the background, the one before comes back.
   void frameSubmitted();

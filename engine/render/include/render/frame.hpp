@@ -116,6 +116,8 @@ struct FrameOutput {
 /// Name and help of each of the engine's own debug views ("depth", "normal", "base_color", "shadow_map", ...).
 struct DebugViewInfo { std::string name, doc; ViewRole role = ViewRole::kPlain; };
 
+class PipelineLibrary;
+
 class Renderer {
  public:
   /// `shaderFolder` holds the engine's .spv files.
@@ -154,7 +156,9 @@ class Renderer {
 
   struct State;
  private:
+  friend class FrameBuilder;
   Renderer() = default;
+  PipelineLibrary& pipelines();
   std::unique_ptr<State> state_;
 };
 
