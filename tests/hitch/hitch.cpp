@@ -86,6 +86,11 @@ Bench::Times Bench::frame() {
   return {1000 * secondsSince(start), 1000 * (processSeconds() - cpuStart)};
 }
 
+image::ByteImage Bench::shoot() {
+  (void)frame();
+  return readback_.picture();
+}
+
 Bench::Times Bench::steady() {
   std::vector<double> wall, cpu;
   for (int i = 0; i < kSteadyFrames; ++i) {

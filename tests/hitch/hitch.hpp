@@ -39,6 +39,8 @@ class Bench {
   /// Defaults, then small maps, then `settings`; drawn until nothing is left to build.
   void settle(const Settings& settings);
   Change change(const std::string& id, const std::string& value);
+  /// Draws a frame and returns its picture.
+  image::ByteImage shoot();
   app::Session& session() { return *session_; }
   /// Smallest possible maps, and nothing on automatic.
   static const Settings& small();

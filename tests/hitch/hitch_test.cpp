@@ -44,5 +44,36 @@ TEST(Hitch, ChangedSettingsDoNotHoldUpFrames) {
   }
 }
 
+// Settings of the engine's own frame are followed once their pipelines are there, and then show what they show without all that.
+TEST(Hitch, TheEnginesSettingsAreFollowedInTime) {
+  const Settings start = {"volumetrics.enabled=false"};
+  const auto pictureOf = [&](const Settings& more) {
+    Bench atOnce("hall", 96, 54, false);
+    Settings all = start;
+    all.insert(all.end(), more.begin(), more.end());
+    atOnce.settle(all);
+    return atOnce.shoot().values;
+  };
+  const auto before = pictureOf({}), moments = pictureOf({"shadows.mode=moments"});
+  ASSERT_NE(before, moments);
+  Bench bench("hall", 96, 54, true);
+  bench.settle(start);
+  ASSERT_EQ(bench.shoot().values, before);
+  params::Table& table = bench.session().table();
+  ASSERT_TRUE(table.setText("shadows.mode", "moments"));
+  EXPECT_EQ(bench.shoot().values, before) << "the settings before go on";
+  EXPECT_NE(bench.session().background(), app::Session::Background::kIdle);
+  // Taken back, nothing is waited for.
+  ASSERT_TRUE(table.setText("shadows.mode", "pcf"));
+  EXPECT_EQ(bench.shoot().values, before);
+  EXPECT_EQ(bench.session().background(), app::Session::Background::kIdle);
+  ASSERT_TRUE(table.setText("shadows.mode", "moments"));
+  int frames = 0;
+  auto last = before;
+  while (last == before && ++frames < 2000) last = bench.shoot().values;
+  EXPECT_EQ(last, moments);
+  EXPECT_EQ(bench.session().background(), app::Session::Background::kIdle);
+}
+
 }  // namespace
 }  // namespace tyndall::hitch
