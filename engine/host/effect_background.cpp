@@ -109,14 +109,15 @@ Result<void> PluginEffect::State::begin(Structure structure, const render::Effec
   for (std::uint32_t pass = 0; pass < now.plans.size(); ++pass) {
     if (!now.plans[pass]) continue;
     const PipelinePlan& plan = *now.plans[pass];
+    if (PipelinePtr kept = pipelines.find(plan.key)) now.there[plan.key] = std::move(kept);
     std::vector<Scratch> scratches;
     if (device.info().isCpu) scratches = newScratches(now.built->layout, pass, plan, now.built->runs, input);
     const auto same = std::find_if(now.steps.begin(), now.steps.end(),
                                    [&](const BuildStep& step) { return step.plan.key == plan.key; });
     if (same != now.steps.end())
       same->warmUps.insert(same->warmUps.end(), scratches.begin(), scratches.end());
-    else if (!pipelines.has(plan.key) || !scratches.empty())
-      now.steps.push_back({plan, !pipelines.has(plan.key), std::move(scratches)});
+    else if (!now.there.contains(plan.key) || !scratches.empty())
+      now.steps.push_back({plan, !now.there.contains(plan.key), std::move(scratches)});
   }
   now.made = now.steps.empty();
   if (!now.made) builder.start(now.steps);
@@ -129,7 +130,7 @@ Result<void> PluginEffect::State::goOn(const render::EffectInput& input) {
     if (!builder.done()) return {};
     auto made = builder.take();
     if (!made) return made.error();
-    coming->fresh = made.take();
+    coming->there.merge(*made);
     coming->made = true;
   }
   bool fetched = false;
@@ -143,7 +144,7 @@ Result<void> PluginEffect::State::goOn(const render::EffectInput& input) {
         continue;
       }
       fetched = true;
-      const PipelinePtr pipeline = step.make ? coming->fresh.at(step.plan.key) : pipelines.find(step.plan.key);
+      const PipelinePtr pipeline = coming->there.at(step.plan.key);
       const std::string name = step.plan.graphics ? step.plan.fullScreen.name : step.plan.compute.name;
       input.graph.pass("compile " + name, plugin.id())
           .keep()
@@ -158,7 +159,7 @@ Result<void> PluginEffect::State::goOn(const render::EffectInput& input) {
 
 Result<void> PluginEffect::State::swap() {
   if (auto furnished = furnish(*coming->built); !furnished) return furnished;
-  coming->built->pipelines = pipelines.adopt(coming->plans, std::move(coming->fresh));
+  coming->built->pipelines = pipelines.adopt(coming->plans, std::move(coming->there));
   std::erase_if(compiled, [this](const auto& entry) { return !pipelines.has(entry.first); });
   before.emplace(*asked, built);
   built = std::move(coming->built);

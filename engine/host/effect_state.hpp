@@ -50,7 +50,7 @@ struct PluginEffect::State {
     std::shared_ptr<Built> built;  ///< without pipelines and resources
     std::vector<std::optional<PipelinePlan>> plans;
     std::vector<BuildStep> steps;
-    std::map<std::string, PipelinePtr> fresh;
+    std::map<std::string, PipelinePtr> there;  ///< of its pipelines, those that are made; the layout that is drawn may let go of them meanwhile
     bool made = false;
     std::size_t warmed = 0;  ///< steps whose code this device's driver has
   };

@@ -36,12 +36,11 @@ StandIn standInFor(const Renderer::Input& frame) {
   StandIn made;
   made.scene.materials = frame.scene.materials;
   made.scene.textures = frame.scene.textures;
-  std::set<std::int32_t> whole;
-  for (const scene::LightView& light : frame.lights)
-    if (light.light.cookie && light.light.cookie->texture != scene::kNone)
-      whole.insert(frame.scene.textures[static_cast<std::size_t>(light.light.cookie->texture)].image);
-  // Cookies are found through the scene's lights.
   made.scene.lights = frame.scene.lights;
+  std::set<std::int32_t> whole;
+  for (const scene::Light& light : frame.scene.lights)
+    if (light.cookie && light.cookie->texture != scene::kNone)
+      whole.insert(frame.scene.textures[static_cast<std::size_t>(light.cookie->texture)].image);
   for (std::size_t i = 0; i < frame.scene.images.size(); ++i)
     made.scene.images.push_back(whole.contains(static_cast<std::int32_t>(i)) ? frame.scene.images[i] : shrunk(frame.scene.images[i]));
 

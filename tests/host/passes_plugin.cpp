@@ -8,7 +8,8 @@
 // casters. "passes.moments" 1: in the place of the shadow depth stands what per_light_moments.comp reads of the moment
 // shadow map, plus 10 times the map's TyFormat as layout() was told, which the weight of the light then includes.
 // "passes.cookies" 1: what per_light_cookie.comp reads of the light's cookie stands there; the weight then includes ten
-// times the faces that layout() was told of and what prepare() is told of the cookie.
+// times the faces that layout() was told of and what prepare() is told of the cookie. "passes.odd" 1 or a second light, but not both, make
+// the first pass of the chain another pipeline that does the same.
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -33,7 +34,7 @@ struct TyInstance {
 
 namespace {
 
-enum { kWeight, kVariant, kBreak, kSkip, kMoments, kCookies, kParameters };
+enum { kWeight, kVariant, kBreak, kSkip, kMoments, kCookies, kOdd, kParameters };
 const char* const kVariants[] = {"auto", "one", "two"};
 const char* const kBreaks[] = {"nothing", "shader", "binding", "pass", "huge", "null", "casters", "prepare"};
 const TyHost* g_host = nullptr;
@@ -58,7 +59,8 @@ const TyParameter kTable[kParameters] = {
     parameter("passes.break", TY_PARAMETER_ENUM, 0, 0, kBreaks, 8, TY_PARAMETER_STRUCTURAL),
     parameter("passes.skip", TY_PARAMETER_INT, 0, 7, nullptr, 0, 0),
     parameter("passes.moments", TY_PARAMETER_INT, 0, 1, nullptr, 0, TY_PARAMETER_STRUCTURAL),
-    parameter("passes.cookies", TY_PARAMETER_INT, 0, 1, nullptr, 0, TY_PARAMETER_STRUCTURAL)};
+    parameter("passes.cookies", TY_PARAMETER_INT, 0, 1, nullptr, 0, TY_PARAMETER_STRUCTURAL),
+    parameter("passes.odd", TY_PARAMETER_INT, 0, 1, nullptr, 0, TY_PARAMETER_STRUCTURAL)};
 
 TyBinding bind(std::uint32_t at, std::uint32_t source, std::uint32_t index, std::uint32_t access) {
   TyBinding b{};
@@ -172,7 +174,7 @@ const TyLayout* layout(TyInstance* self, const TyDevice*, const TyStructure* str
         bind(2, TY_SOURCE_IMAGE, 2, TY_ACCESS_SAMPLED), bind(3, TY_SOURCE_IMAGE, 3, TY_ACCESS_SAMPLED)});
   s.passes.back().groups[0] = gx, s.passes.back().groups[1] = gy;
   if (broken == 3) s.passes.back().groups[2] = 0;
-  s.first = {0, 1};
+  s.first = {0, (structure->values[kOdd] != 0) != (structure->light_count > 1) ? 2u : 1u};
   for (std::uint32_t mip = 0; mip < 4; ++mip) {
     TyBinding to = bind(0, TY_SOURCE_IMAGE, 4, TY_ACCESS_STORAGE_WRITE),
               from = bind(1, TY_SOURCE_IMAGE, 2, TY_ACCESS_SAMPLED);

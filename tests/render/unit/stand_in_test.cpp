@@ -40,10 +40,11 @@ TEST(StandIn, HasEachMaterialOnceForEachHandedness) {
     matrices.push_back(glm::translate(glm::mat4(1), {100, 0, 0}) * glm::scale(glm::mat4(1), scale));
   };
   add(0, {1, 1, 1}), add(0, {2, 2, 2}), add(1, {1, 1, 1}), add(0, {-1, 1, 1}), add(scene::kNone, {1, 1, 1});
-  scene::LightView light;
-  light.light.kind = scene::LightKind::kSpot;
-  light.light.cookie = scene::Cookie{1, {}};
-  Renderer::Input frame{level, matrices, {}, {light}};
+  scene::Light light;
+  light.kind = scene::LightKind::kSpot;
+  light.cookie = scene::Cookie{1, {}};
+  level.lights = {light};
+  Renderer::Input frame{level, matrices, {}, {}};
   frame.camera.worldFromView = glm::translate(glm::mat4(1), {5, 6, 7});
 
   const StandIn small = standInFor(frame);
