@@ -42,6 +42,9 @@ struct Round {
 };
 constexpr Round kRounds[] = {{false, false, 1, 1.3, 16, 2}, {true, false, 2, 1.15, 5, 2}, {true, true, 5, 1.0, 0, 1}};
 
+/// How many times as long as one that meets the bound a candidate may take, by the round before, and still be tried.
+constexpr double kDear = 1.5;
+
 /// A camera of the level and how it is turned.
 struct TunedView {
   std::uint32_t camera;
@@ -54,7 +57,9 @@ struct Candidate {
   Assignments settings;
   std::vector<std::vector<double>> milliseconds;  ///< of each view that was measured
   std::vector<double> errors;                     ///< of each view that was measured
+  double known = 0;                               ///< ms that the round before measured
   bool dropped = false;                           ///< out of the round before its last view
+  bool dear = false;                              ///< because another meets the bound in far less time
   std::string failure;
   std::string text() const {
     std::string all;
@@ -117,6 +122,7 @@ class Tuner {
         return !c.failure.empty();
       });
       if (candidates_.empty()) return failed("tune: no candidate could be rendered: " + left_.front());
+      dear_ += std::erase_if(candidates_, [](const Candidate& c) { return c.dear; });
       std::vector<Score> scores;
       for (const Candidate& c : candidates_) scores.push_back(scoreOf(c));
       if (std::all_of(candidates_.begin(), candidates_.end(), [](const Candidate& c) { return c.dropped; })) {
@@ -204,6 +210,7 @@ class Tuner {
     evidence["errors"] = "nRMSE against the ray-traced truth; pixels where rasteriser and ray tracer end on different surfaces count as right";
     evidence["error_size"] = {field_.errorSize.first, field_.errorSize.second};
     evidence["candidates_by_round"] = counts_;
+    evidence["candidates_too_dear"] = dear_;
     evidence["others_of_the_last_round"] = Json::array();
     for (std::size_t i = 1; i < candidates_.size(); ++i)
       evidence["others_of_the_last_round"].push_back({{"settings", candidates_[i].text()}, {"milliseconds", candidates_[i].timed() ? Json(candidates_[i].score().milliseconds) : Json()}, {"nrmse", candidates_[i].worstError()}, {"nrmse_of_unseen_views", limitOf(candidates_[i])}, {"views", candidates_[i].errors.size()}});
@@ -291,7 +298,6 @@ class Tuner {
     return TunedView{camera, turn, insidePicture(lightsInPicture(level.lights(0), turned(*placed, turn), options_.size), options_.size)};
   }
 
-  /// Ends early when every candidate is dropped.
   Result<void> measure(const Round& round) {
     const app::Level& level = *stand_.session().level();
     truth::Medium medium;
@@ -300,32 +306,52 @@ class Tuner {
       if (stand_.session().table().find(id)) *target = stand_.session().table().value(id);
     const std::uint32_t part = round.wholeErrors ? 1 : 2;
     const Size errorSize{std::max(1u, field_.errorSize.first / part), std::max(1u, field_.errorSize.second / part)};
-    const std::size_t views = round.everyView ? views_.size() : 1;
-    for (Candidate& c : candidates_) c.milliseconds.clear(), c.errors.clear(), c.dropped = false;
-    for (std::size_t v = 0; v < views; ++v) {
+    struct Prepared {
+      scene::CameraView camera;
+      Truth truth;
+    };
+    std::vector<Prepared> views;
+    for (std::size_t v = 0; v < (round.everyView ? views_.size() : 1); ++v) {
       auto camera = app::chooseCamera(level, views_[v].camera, 0);
       if (!camera) return camera.error();
-      *camera = turned(*camera, views_[v].turn);
       auto truth = truthOf(level, views_[v].camera, views_[v].turn, errorSize, 0, medium, std::max(1u, field_.truthSamples / part), {});
       if (!truth) return truth.error();
-      if (std::all_of(candidates_.begin(), candidates_.end(), [](const Candidate& c) { return c.out(); })) return {};
-      for (Candidate& c : candidates_) {
-        if (c.out()) continue;
-        Result<void> ok = stand_.render(c.settings, *camera, errorSize, 0, 2, true);
+      views.push_back({turned(*camera, views_[v].turn), truth.take()});
+    }
+
+    // Errors, the cheapest by what is known first: once one meets the bound everywhere, those that are dearer by far are not tried.
+    for (Candidate& c : candidates_) c.known = c.score().milliseconds, c.milliseconds.clear(), c.errors.clear(), c.dropped = c.dear = false;
+    std::stable_sort(candidates_.begin(), candidates_.end(), [](const Candidate& x, const Candidate& y) { return x.known < y.known; });
+    double meets = std::numeric_limits<double>::infinity();
+    for (Candidate& c : candidates_) {
+      if (c.known > kDear * meets) {
+        c.dropped = c.dear = true;
+        continue;
+      }
+      for (std::size_t v = 0; v < views.size() && !c.out(); ++v) {
+        Result<void> ok = stand_.render(c.settings, views[v].camera, errorSize, 0, 2, true);
         if (ok) {
-          auto errors = splitErrors(onSameSurface(stand_.scatter(), truth->scatter), truth->scatter, {}, {});
+          const image::FloatImage& reference = views[v].truth.scatter;
+          auto errors = splitErrors(onSameSurface(stand_.scatter(), reference), reference, {}, {});
           if (errors) c.errors.push_back(errors->all->nrmse); else ok = errors.error();
         }
-        if (ok && round.keep == 0) ok = stand_.warmUp(c.settings, *camera, options_.size, 0);
         if (!ok) c.failure = ok.error().message;
-        c.milliseconds.emplace_back();
-        c.dropped = sought_.maxError && !sought_.met(c.score(), round.hopeless);  // its times are not needed then
+        c.dropped = sought_.maxError && !sought_.met(c.score(), round.hopeless);
       }
-      // Interleaved, so that a drift of the machine meets all alike.
+      if (round.everyView && sought_.maxError && !c.out() && sought_.met(scoreOf(c), 1 / round.slack)) meets = std::min(meets, c.known);
+    }
+    // Times, interleaved, so that a drift of the machine meets all alike.
+    for (const Prepared& view : views) {
+      for (Candidate& c : candidates_) {
+        if (c.out()) continue;
+        c.milliseconds.emplace_back();
+        if (round.keep > 0) continue;
+        if (auto ok = stand_.warmUp(c.settings, view.camera, options_.size, 0); !ok) c.failure = ok.error().message;
+      }
       for (int i = 0; i < round.timed; ++i)
         for (Candidate& c : candidates_) {
           if (c.out()) continue;
-          if (auto ok = stand_.render(c.settings, *camera, options_.size, 0, 2, false); !ok) {
+          if (auto ok = stand_.render(c.settings, view.camera, options_.size, 0, 2, false); !ok) {
             c.failure = ok.error().message;
             continue;
           }
@@ -334,7 +360,7 @@ class Tuner {
             if (pass.owner == stand_.catalogue().effectPlugin().id()) own += pass.milliseconds;
           c.milliseconds.back().push_back(own);
         }
-      for (Candidate& c : candidates_) c.dropped = !sought_.met(c.score(), round.hopeless);
+      for (Candidate& c : candidates_) c.dropped = c.dropped || !sought_.met(c.score(), round.hopeless);
     }
     return {};
   }
@@ -346,6 +372,7 @@ class Tuner {
   Goal goal_, sought_;  ///< as asked for, and with the margin
   std::vector<Candidate> candidates_;
   std::vector<std::size_t> counts_;
+  std::size_t dear_ = 0;
   std::vector<Held> held_;
   std::vector<std::string> left_;
   std::set<std::string> notBuilt_, read_, varied_;
