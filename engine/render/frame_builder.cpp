@@ -75,10 +75,9 @@ void FrameBuilder::start(const Renderer::Input& frame, const FrameSettings& sett
   job.settings.offered.clear();
   job.settings.reuseShadows = false;
   job.known = state_->renderer.pipelines().names();
-  std::vector<PipelineLibrary::Made> old;
+  cancel();
   {
     const std::lock_guard lock(state_->mutex);
-    std::swap(old, state_->unwanted);
     job.number = state_->wanted = ++state_->started;
     state_->next = std::move(job);
   }
@@ -87,18 +86,13 @@ void FrameBuilder::start(const Renderer::Input& frame, const FrameSettings& sett
 }
 
 void FrameBuilder::cancel() {
-  std::vector<PipelineLibrary::Made> old;
+  std::vector<PipelineLibrary::Made> old;  // destroyed here, by the owner's thread
   PipelineLibrary::Made made;
   const std::lock_guard lock(state_->mutex);
   state_->wanted = 0;
   state_->next.reset();
   std::swap(old, state_->unwanted);
   std::swap(made, state_->made);
-}
-
-bool FrameBuilder::busy() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->wanted != 0 && state_->finished != state_->wanted;
 }
 
 bool FrameBuilder::done() const {

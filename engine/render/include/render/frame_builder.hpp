@@ -21,8 +21,7 @@ class FrameBuilder {
   /// Begins what `settings` need for frames like `frame`, in place of what was begun before.
   void start(const Renderer::Input& frame, const FrameSettings& settings);
   void cancel();
-  bool busy() const;  ///< started, and neither cancelled nor finished
-  bool done() const;  ///< everything is there; finish() hands it over
+  bool done() const;  ///< everything that was started is there; finish() hands it over
   /// The renderer has the pipelines from here on.
   void finish();
 
