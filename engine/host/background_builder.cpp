@@ -1,22 +1,9 @@
 #include "background_builder.hpp"
 
-#include <chrono>
-
-#include <sys/resource.h>
-
 #include "base/log.hpp"
+#include "gpu/compile_ahead.hpp"
 
 namespace tyndall::host {
-namespace {
-
-// On a driver that runs on the CPU, frames and compiler share the cores: frames first. Threads that the driver starts
-// for the builder's device inherit it.
-constexpr int kNice = 5;
-
-// The driver writes its cache on a thread of its own after the compiler is done.
-constexpr std::chrono::milliseconds kCacheWrite{20};
-
-}  // namespace
 
 BackgroundBuilder::~BackgroundBuilder() {
   if (!thread_.joinable()) return;
@@ -52,8 +39,7 @@ Result<std::map<std::string, PipelinePtr>> BackgroundBuilder::take() {
 }
 
 void BackgroundBuilder::work() {
-  // A Linux thread has a niceness of its own. Without it frames are slower meanwhile, nothing else.
-  (void)::setpriority(PRIO_PROCESS, 0, kNice);
+  gpu::giveWayToFrames();
   std::unique_ptr<gpu::Device> own;
   for (;;) {
     Job job;
@@ -84,7 +70,7 @@ Result<void> BackgroundBuilder::run(const Job& job, std::unique_ptr<gpu::Device>
     }
     if (!step.warmUps.empty()) warmUp(step, own), warmed = true;
   }
-  if (warmed) std::this_thread::sleep_for(kCacheWrite);
+  if (warmed) gpu::awaitDriverCache();
   return {};
 }
 

@@ -1,23 +1,17 @@
 #include "render/frame_builder.hpp"
 
-#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <thread>
 
-#include <sys/resource.h>
-
 #include "base/log.hpp"
+#include "gpu/compile_ahead.hpp"
 #include "pipeline_library.hpp"
 #include "stand_in.hpp"
 
 namespace tyndall::render {
 namespace {
-
-// As host::BackgroundBuilder: frames come first, and the driver writes its cache on a thread of its own after the compiler is done.
-constexpr int kNice = 5;
-constexpr std::chrono::milliseconds kCacheWrite{20};
 
 struct Job {
   std::uint64_t number = 0;
@@ -111,8 +105,7 @@ void FrameBuilder::finish() {
 }
 
 void FrameBuilder::State::work() {
-  // A Linux thread has a niceness of its own. Without it frames are slower meanwhile, nothing else.
-  (void)::setpriority(PRIO_PROCESS, 0, kNice);
+  gpu::giveWayToFrames();
   std::unique_ptr<gpu::Device> own;
   for (;;) {
     std::optional<Job> job;
@@ -161,7 +154,7 @@ Result<PipelineLibrary::Made> FrameBuilder::State::run(const Job& job, std::uniq
   if (!ended) return ended.error();
   if (auto waited = own->waitIdle(); !waited) return waited.error();
   auto result = (*small)->pipelines().makeFor(device, job.known);
-  std::this_thread::sleep_for(kCacheWrite);
+  gpu::awaitDriverCache();
   return result;
 }
 
