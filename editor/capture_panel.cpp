@@ -81,7 +81,7 @@ bool CapturePanel::draw(Workspace& workspace) {
   if (!open) return false;
   bool pressed = false;
   ImGui::SetNextWindowPos({60, 60}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({340, 0}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({scaled(340), 0}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Capture", &open, ImGuiWindowFlags_NoSavedSettings)) {
     ImGui::Checkbox("picture", &picture), workspace.place("capture picture");
     ImGui::SameLine(), ImGui::Checkbox("radiance", &scatter), workspace.place("capture scatter");

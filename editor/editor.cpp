@@ -12,6 +12,7 @@
 
 #include "app/values.hpp"
 #include "controls_panel.hpp"
+#include "drag_bar.hpp"
 #include "status_panel.hpp"
 
 namespace tyndall::editor {
@@ -21,6 +22,8 @@ constexpr double kIdleSeconds = 0.25;      // how long an idle window sleeps: fi
 constexpr double kBuildingSeconds = 0.01;  // the same while something is built beside the frames
 constexpr float kMaxFlightSeconds = 0.25f; // a slow frame must not throw the camera through a wall
 constexpr float kFirstFlightSeconds = 1.0f / 30;  // the first frame of a flight: the time before it was not flown
+constexpr float kLeastSide = 200;  // width of the panels, points at normal text
+constexpr float kMostSide = 0.8f;  // of the window's width
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
@@ -30,12 +33,16 @@ void beginFixed(const char* name, float x, float y, float width, float height, I
   ImGui::Begin(name, nullptr, kFixed | more);
 }
 
-void chooseStyle() {
+constexpr float kFontPixels = 13;  // of Dear ImGui's own font, which is drawn for this size
+
+void chooseStyle(float textScale) {
+  ImGui::GetStyle() = {};
   ImGui::StyleColorsDark();
   ImGuiStyle& style = ImGui::GetStyle();
   style.WindowRounding = 0, style.FrameRounding = 2, style.WindowBorderSize = 0;
   style.WindowPadding = {8, 6}, style.FramePadding = {4, 2}, style.ItemSpacing = {6, 3}, style.CellPadding = {3, 1};
   style.Colors[ImGuiCol_WindowBg] = {0.10f, 0.105f, 0.115f, 1};
+  style.ScaleAllSizes(textScale);
 }
 
 }  // namespace
@@ -43,8 +50,8 @@ void chooseStyle() {
 ImGuiContextOwner::ImGuiContextOwner(const Window& window) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // the layout is fixed; nothing is left in the user's folder
-  chooseStyle();
+  ImGui::GetIO().IniFilename = nullptr;  // what is kept is in the settings' file
+  chooseStyle(1);
   ImGui_ImplGlfw_InitForVulkan(window.handle(), true);  // "Vulkan" means here: no OpenGL context is looked for
 }
 
@@ -142,6 +149,8 @@ Result<bool> Editor::step() {
   if (!fits || !*fits) return fits;
   noticeLevel();
   watcher_.check(*session_, workspace_);
+  if (auto done = scaleText(); !done) return done.error();
+  times_.take(*session_);
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
   workspace_.widgets.clear();
@@ -176,6 +185,19 @@ Result<bool> Editor::step() {
   return true;
 }
 
+Result<void> Editor::scaleText() {
+  const float wanted = settings_.layout.textScale > 0 ? settings_.layout.textScale : window_->textScale();
+  if (wanted == textScale_) return {};
+  textScale_ = wanted;
+  chooseStyle(wanted);
+  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+  fonts.Clear();
+  ImFontConfig font;
+  font.SizePixels = std::round(kFontPixels * wanted);
+  fonts.AddFontDefault(&font);
+  return renderer_->makeFont();
+}
+
 std::uint32_t Editor::cameraIndex() const {
   return std::min(options_.camera, static_cast<std::uint32_t>(session_->level()->cameras(workspace_.seconds).size()) - 1);
 }
@@ -188,14 +210,17 @@ Research::Viewport Editor::viewport() const {
 
 void Editor::drawWindows() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float side = std::floor(std::min(std::clamp(size.x * 0.32f, 290.0f, 420.0f), size.x / 2));  // the picture is not stretched by part of a point
   const float status = ImGui::GetFrameHeight() + 6;
-  const MenuChoice choice = menu_.draw(history_, settings_.recentLevels, workspace_);
+  const MenuChoice choice = menu_.draw(history_, settings_, workspace_);
   if (!choice.level.empty()) levelAsked_ = choice.level;
   for (const Command command : choice.commands) perform(command);
   const float top = menu_.height(), height = size.y - status - top;
-  drawViewport(top, size.x - side, height);
-  drawSide(size.x - side, top, side, height);
+  // Whole points, so that the picture is not stretched by part of one.
+  const float automatic = std::min(std::clamp(size.x * 0.32f, scaled(290), scaled(420)), size.x / 2);
+  const float side = Layout::sizeOf(settings_.layout.side, automatic, scaled(kLeastSide), size.x * kMostSide);
+  dividing_ = false;
+  drawViewport(top, settings_.layout.panels ? size.x - side : size.x, height);
+  if (settings_.layout.panels) drawSide(size.x - side, top, side, height);
   if (const auto step = drawHistory(history_, historyOpen_, workspace_)) restore(history_.jump(*step));
   drawHelp(helpOpen_, workspace_);
   research_->draw(workspace_, viewport());
@@ -236,24 +261,31 @@ void Editor::drawViewport(float y, float width, float height) {
 
 void Editor::drawSide(float x, float y, float width, float height) {
   beginFixed("side", x, y, width, height, ImGuiWindowFlags_NoScrollWithMouse);
+  // The bar is in the margin, left of everything else.
+  const ImVec2 content = ImGui::GetCursorPos();
+  ImGui::SetCursorPos({0, 0});
+  dividing_ = dragBar("side edge", Edge::kLeft, width, scaled(kLeastSide), ImGui::GetIO().DisplaySize.x * kMostSide, settings_.layout.side, workspace_);
+  ImGui::SetCursorPos(content);
   drawControls(*session_, *camera_, workspace_);
   ImGui::Separator();
-  const float times = std::clamp(height * 0.42f, 90.0f, 380.0f);
-  ImGui::BeginChild("parameters", {0, std::max(ImGui::GetContentRegionAvail().y - times, 40.0f)});
+  const float room = ImGui::GetContentRegionAvail().y, least = scaled(40), most = std::max(room - least, least);
+  const float figures = Layout::sizeOf(settings_.layout.figures, std::clamp(height * 0.42f, scaled(90), scaled(380)), least, most);
+  ImGui::BeginChild("parameters", {0, std::max(room - figures, 1.0f)});
   parameters_.draw(session_->catalogue(), workspace_);
   ImGui::EndChild();
-  ImGui::Separator();
+  dragBar("figures edge", Edge::kTop, figures, least, most, settings_.layout.figures, workspace_);
   if (ImGui::BeginTabBar("figures")) {
     const auto tab = [this](const char* name) {
       const bool open = ImGui::BeginTabItem(name);
       workspace_.place(std::string("tab ") + name);
       return open;
     };
-    if (tab("times")) times_.draw(*session_, settings_.budgetMs, workspace_), ImGui::EndTabItem();
-    if (tab("memory, skipped")) times_.drawSkipped(*session_, workspace_), ImGui::EndTabItem();
+    if (tab("times")) times_.draw(settings_.budgetMs, workspace_), ImGui::EndTabItem();
+    if (tab("memory")) memory_.draw(*session_, workspace_), ImGui::EndTabItem();
+    if (tab("skipped")) MemoryPanel::drawSkipped(*session_, workspace_), ImGui::EndTabItem();
     if (tab("level")) {
       const auto seen = camera_->flown() ? std::nullopt : std::optional(cameraIndex());
-      level_.draw(*session_, seen, workspace_);
+      level_.draw(*session_, seen, settings_.layout.fields, workspace_);
       ImGui::EndTabItem();
     }
     ImGui::EndTabBar();

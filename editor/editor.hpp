@@ -13,6 +13,7 @@
 #include "history.hpp"
 #include "imgui_renderer.hpp"
 #include "level_panel.hpp"
+#include "memory_panel.hpp"
 #include "menu_bar.hpp"
 #include "options.hpp"
 #include "parameter_panel.hpp"
@@ -55,6 +56,7 @@ class Editor {
   void drawViewport(float y, float width, float height);
   void drawSide(float x, float y, float width, float height);
   void steer();
+  Result<void> scaleText();  ///< to what is chosen, where it is not
   std::uint32_t cameraIndex() const;
   scene::CameraView fileCamera() const;
   Research::Viewport viewport() const;
@@ -98,6 +100,7 @@ class Editor {
   std::optional<FlyCamera> camera_;
   ParameterPanel parameters_;
   TimesPanel times_;
+  MemoryPanel memory_;
   LevelPanel level_;
   std::uint64_t levelsSeen_ = 0;
   SceneEdits editsSeen_;                  ///< that levelEdits counts
@@ -114,6 +117,8 @@ class Editor {
   SettingsFile settingsFile_;
   Settings settings_;
   bool historyOpen_ = false, helpOpen_ = false;
+  float textScale_ = 1;                   ///< of the font that is baked
+  bool dividing_ = false;                 ///< the bar beside the picture is dragged: its size waits until it is let go of
   Watcher watcher_;
   Workspace workspace_;
   std::unique_ptr<Stress> stress_;  ///< random use instead of a user's

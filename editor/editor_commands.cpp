@@ -62,6 +62,11 @@ void Editor::perform(Command command) {
     case Command::kSearch: parameters_.search(); return;
     case Command::kResetCamera: workspace_.cameraReset = true; return;
     case Command::kQuit: window_->close(); return;
+    case Command::kPanels: settings_.layout.panels = !settings_.layout.panels; return;
+    case Command::kLargerText: settings_.layout.textScale = Layout::largerText(textScale_); return;
+    case Command::kSmallerText: settings_.layout.textScale = Layout::smallerText(textScale_); return;
+    case Command::kNormalText: settings_.layout.textScale = 0; return;
+    case Command::kResetLayout: settings_.layout = {}; return;
     case Command::kOpenLevel:
     case Command::kLoadPreset:
     case Command::kSavePreset:

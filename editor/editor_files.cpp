@@ -84,7 +84,7 @@ void Editor::fileChosen(const fs::path& file) {
 void Editor::drawComparison() {
   if (compared_.empty()) return;
   bool open = true;
-  ImGui::SetNextWindowSize({380, 200}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({scaled(380), scaled(200)}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowPos({100, 90}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Compare with preset", &open, ImGuiWindowFlags_NoSavedSettings)) {
     ImGui::TextColored(kDimColor, "%s", compared_.string().c_str());

@@ -23,7 +23,7 @@ void addCopy(render::Graph& graph, const char* name, render::ImageRef from, rend
 }  // namespace
 
 bool Editor::pictureWanted() const {
-  const bool otherSize = !picture_ || picture_.desc().width != viewWidth_ || picture_.desc().height != viewHeight_;
+  const bool otherSize = !picture_ || (!dividing_ && (picture_.desc().width != viewWidth_ || picture_.desc().height != viewHeight_));
   return workspace_.changed || workspace_.playing || workspace_.continuous || options_.frames > 0 || otherSize ||
          session_->background() == host::PluginEffect::Background::kReady;
 }

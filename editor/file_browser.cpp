@@ -80,7 +80,7 @@ std::optional<fs::path> FileBrowser::accept() {
 std::optional<fs::path> FileBrowser::draw(Workspace& workspace) {
   if (!open_) return std::nullopt;
   std::optional<fs::path> chosen;
-  ImGui::SetNextWindowSize({420, 320}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({scaled(420), scaled(320)}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowPos({80, 70}, ImGuiCond_FirstUseEver);
   const bool appearing = std::exchange(appearing_, false);
   if (appearing) ImGui::SetNextWindowFocus();
@@ -100,7 +100,7 @@ std::optional<fs::path> FileBrowser::draw(Workspace& workspace) {
     }
     ImGui::EndChild();
     if (appearing) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-80);
+    ImGui::SetNextItemWidth(-scaled(80));
     bool taken = ImGui::InputText("##name", name_.data(), name_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     if (ImGui::IsItemEdited()) replace_ = false, problem_.clear();
     workspace.place("file name");

@@ -24,6 +24,8 @@ class ImGuiRenderer {
   static Result<std::unique_ptr<ImGuiRenderer>> create(gpu::Device& device, VkFormat format);
 
   gpu::Device& device() { return device_; }
+  /// The current context's font atlas has changed. Not between the begin and end of a frame.
+  Result<void> makeFont();
   /// Another texture: what `image` holds in SHADER_READ_ONLY whenever a pass is added, until it is removed. `nearest`: texels are squares.
   Texture addTexture();
   void setTexture(Texture texture, const gpu::Image& image, bool nearest) { textures_[texture] = {&image, nearest}; }
@@ -35,7 +37,6 @@ class ImGuiRenderer {
 
  private:
   explicit ImGuiRenderer(gpu::Device& device) : device_(device) {}
-  Result<void> makeFont();
   Result<void> makePipeline(VkFormat format);
   /// Vertices and indices of `data` in this frame's buffers.
   Result<void> copyGeometry(const ImDrawData& data);

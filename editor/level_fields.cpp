@@ -12,18 +12,18 @@ constexpr float kMaxIntensity = 1e7f, kMaxEmissive = 1e5f;
 constexpr float kMinCone = 1, kMaxCone = 89.9f, kConeGap = 0.1f;  // degrees: the inner cone is smaller than the outer
 constexpr float kMinScale = 1e-3f, kMaxScale = 1e3f;              // of either sign: a mirrored node stays mirrored
 constexpr float kMaxHeight = 89.9f;                               // degrees: straight up has no azimuth
-constexpr float kRoom = -90;                                      // points that the names take
+constexpr float kRoom = 90;                                       // points that the names take
 
 bool number(const char* name, const std::string& place, float& value, float speed, float low, float high,
             const char* format, Workspace& workspace) {
-  ImGui::SetNextItemWidth(kRoom);
+  ImGui::SetNextItemWidth(-scaled(kRoom));
   const bool changed = ImGui::DragFloat(name, &value, speed, low, high, format, ImGuiSliderFlags_AlwaysClamp);
   workspace.place(place);
   return changed;
 }
 
 bool colour(const char* name, const std::string& place, float* value, ImGuiColorEditFlags more, Workspace& workspace) {
-  ImGui::SetNextItemWidth(kRoom);
+  ImGui::SetNextItemWidth(-scaled(kRoom));
   const bool changed = ImGui::ColorEdit3(name, value, ImGuiColorEditFlags_Float | more);
   workspace.place(place);
   return changed;
@@ -43,7 +43,7 @@ bool scaleField(const scene::Scene& scene, int node, NodeEdit& edit, Workspace& 
     return false;
   }
   glm::vec3 wanted = edit.scale;
-  ImGui::SetNextItemWidth(kRoom);
+  ImGui::SetNextItemWidth(-scaled(kRoom));
   const bool changed = ImGui::DragFloat3("scale", &wanted.x, 0.01f, -kMaxScale, kMaxScale, "%.3f", ImGuiSliderFlags_AlwaysClamp);
   workspace.place("node scale");
   if (!changed) return false;
@@ -126,7 +126,7 @@ bool placeFields(const scene::Scene& scene, const std::vector<glm::mat4>& worldF
     ImGui::TextColored(kDimColor, "an animation places it");
   } else {
     glm::vec3 wanted = position;
-    ImGui::SetNextItemWidth(kRoom);
+    ImGui::SetNextItemWidth(-scaled(kRoom));
     if (ImGui::DragFloat3("position", &wanted.x, 0.02f, -kMaxMetres, kMaxMetres, "%.2f", ImGuiSliderFlags_AlwaysClamp))
       edit.setPosition(wanted), changed = true;
     workspace.place(kind + "position");

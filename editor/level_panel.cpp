@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "drag_bar.hpp"
+#include "layout.hpp"
 #include "level_fields.hpp"
 #include "picking.hpp"
 
@@ -60,18 +62,20 @@ void LevelPanel::reset(scene::Scene& scene) {
   gizmo_.release();
 }
 
-void LevelPanel::draw(app::Session& session, std::optional<std::uint32_t> camera, Workspace& workspace) {
+void LevelPanel::draw(app::Session& session, std::optional<std::uint32_t> camera, float& fieldsHeight, Workspace& workspace) {
   shown_ = true;
   edits_ = editsOf(session.level()->scene, file_);
   workspace.facts["level.selected"] = !selected_                            ? "nothing"
                                       : selected_->kind == Kind::kMaterial ? "material " + std::to_string(selected_->index)
                                                                             : "node " + std::to_string(selected_->index);
   workspace.facts["level.edits"] = std::to_string(edits_.lights.size() + edits_.nodes.size() + edits_.materials.size());
-  ImGui::BeginChild("tree", {0, ImGui::GetContentRegionAvail().y * (selected_ ? 0.5f : 1.0f)});
+  const float height = ImGui::GetContentRegionAvail().y, least = scaled(30), most = std::max(height - scaled(40), least);
+  const float fieldsNow = Layout::sizeOf(fieldsHeight, height / 2, least, most);
+  ImGui::BeginChild("tree", {0, selected_ ? std::max(height - fieldsNow, 1.0f) : height});
   tree(session, camera, workspace);
   ImGui::EndChild();
   if (!selected_) return;
-  ImGui::Separator();
+  dragBar("fields edge", Edge::kTop, fieldsNow, least, most, fieldsHeight, workspace);
   ImGui::BeginChild("fields");
   fields(session, workspace);
   ImGui::EndChild();

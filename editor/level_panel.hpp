@@ -15,8 +15,8 @@ class LevelPanel {
   /// A level was opened: it is as its file has it.
   void reset(scene::Scene& scene);
   /// Tree and fields, into the current ImGui window. Edits are made in the session's scene. `camera` is the one that is
-  /// looked through, nothing while the view is flown.
-  void draw(app::Session& session, std::optional<std::uint32_t> camera, Workspace& workspace);
+  /// looked through, nothing while the view is flown; `fieldsHeight` is what the user has dragged (Layout::fields).
+  void draw(app::Session& session, std::optional<std::uint32_t> camera, float& fieldsHeight, Workspace& workspace);
   /// Marks and handles over the picture.
   void drawOver(ImDrawList& list, app::Session& session, const PictureView& view, Workspace& workspace);
 

@@ -5,9 +5,9 @@
 namespace tyndall::editor {
 namespace {
 
-void item(Command command, bool enabled, MenuChoice& choice, Workspace& workspace) {
+void item(Command command, bool enabled, bool ticked, MenuChoice& choice, Workspace& workspace) {
   const Shortcut& shortcut = shortcutOf(command);
-  if (ImGui::MenuItem(shortcut.name, shortcut.keys, false, enabled)) choice.commands.push_back(command);
+  if (ImGui::MenuItem(shortcut.name, shortcut.keys, ticked, enabled)) choice.commands.push_back(command);
   workspace.place(shortcut.name);
 }
 
@@ -32,19 +32,19 @@ void row(const char* keys, const char* does) {
 
 }  // namespace
 
-MenuChoice MenuBar::draw(const History& history, const std::vector<std::string>& recentLevels, Workspace& workspace) {
+MenuChoice MenuBar::draw(const History& history, const Settings& settings, Workspace& workspace) {
   MenuChoice choice;
   if (!ImGui::BeginMainMenuBar()) return choice;
   height_ = ImGui::GetWindowSize().y;
-  const auto add = [&](Command command, bool enabled = true) { item(command, enabled, choice, workspace); };
+  const auto add = [&](Command command, bool enabled = true, bool ticked = false) { item(command, enabled, ticked, choice, workspace); };
   if (menu("File", workspace)) {
     add(Command::kOpenLevel);
     if (ImGui::BeginMenu("Samples")) {
       for (const std::string& name : app::sampleLevels()) levelItem(name, choice, workspace);
       ImGui::EndMenu();
     }
-    if (ImGui::BeginMenu("Recent levels", !recentLevels.empty())) {
-      for (const std::string& name : recentLevels) levelItem(name, choice, workspace);
+    if (ImGui::BeginMenu("Recent levels", !settings.recentLevels.empty())) {
+      for (const std::string& name : settings.recentLevels) levelItem(name, choice, workspace);
       ImGui::EndMenu();
     }
     workspace.place("Recent levels");
@@ -63,6 +63,12 @@ MenuChoice MenuBar::draw(const History& history, const std::vector<std::string>&
       add(command);
     ImGui::EndMenu();
   }
+  if (menu("View", workspace)) {
+    add(Command::kPanels, true, settings.layout.panels);
+    for (Command command : {Command::kLargerText, Command::kSmallerText, Command::kNormalText, Command::kResetLayout})
+      add(command);
+    ImGui::EndMenu();
+  }
   if (menu("Help", workspace)) {
     add(Command::kHelp);
     ImGui::EndMenu();
@@ -74,7 +80,7 @@ MenuChoice MenuBar::draw(const History& history, const std::vector<std::string>&
 std::optional<std::size_t> drawHistory(const History& history, bool& open, Workspace& workspace) {
   std::optional<std::size_t> chosen;
   if (!open) return chosen;
-  ImGui::SetNextWindowSize({260, 240}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({scaled(260), scaled(240)}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowPos({40, 60}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("History", &open, ImGuiWindowFlags_NoSavedSettings)) {
     ImGuiListClipper clipper;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "history.hpp"
+#include "settings_file.hpp"
 #include "shortcuts.hpp"
 #include "workspace.hpp"
 
@@ -18,7 +19,7 @@ struct MenuChoice {
 class MenuBar {
  public:
   /// Draws the bar; its height in points is left in height().
-  MenuChoice draw(const History& history, const std::vector<std::string>& recentLevels, Workspace& workspace);
+  MenuChoice draw(const History& history, const Settings& settings, Workspace& workspace);
   float height() const { return height_; }
 
  private:

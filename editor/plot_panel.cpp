@@ -9,7 +9,7 @@
 namespace tyndall::editor {
 namespace {
 
-constexpr float kLeft = 56, kBottom = 34, kTop = 8, kRight = 14;  // margins of the chart, points
+constexpr float kLeft = 56, kBottom = 34, kTop = 8, kRight = 14;  // margins of the chart, points at normal text
 constexpr float kReach = 9;                                       // how near the mouse takes a point
 
 const params::Parameter* selectorOf(app::Session& session) {
@@ -115,7 +115,7 @@ void PlotPanel::draw(ResearchContext& context, Reference& reference) {
   measureNext(context, reference);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x * 0.3f, std::max(display.y * 0.3f, 40.0f)}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({460, 380}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({scaled(460), scaled(380)}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSizeConstraints({320, 220}, {16384, 16384});
   if (ImGui::Begin("Error against time", &open, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
     Workspace& workspace = context.workspace;
@@ -141,7 +141,7 @@ void PlotPanel::draw(ResearchContext& context, Reference& reference) {
       }
       workspace.place("plot add");
       ImGui::SameLine();
-      ImGui::SetNextItemWidth(60);
+      ImGui::SetNextItemWidth(scaled(60));
       if (ImGui::InputInt("repeats", &repeats_, 0)) repeats_ = std::clamp(repeats_, 1, 100);
       if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Frames that each is timed over, after a warm-up; the median counts");
@@ -164,7 +164,7 @@ void PlotPanel::chart(ResearchContext& context) {
   context.workspace.place("plot chart");
   const bool hovered = ImGui::IsItemHovered(), clicked = ImGui::IsItemClicked();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 from{low.x + kLeft, low.y + kTop}, to{low.x + size.x - kRight, low.y + size.y - kBottom};
+  const ImVec2 from{low.x + scaled(kLeft), low.y + kTop}, to{low.x + size.x - kRight, low.y + size.y - scaled(kBottom)};
   list.AddRectFilled(from, to, IM_COL32(18, 18, 20, 255));
   std::vector<double> times, errors;
   std::vector<PlotPoint> points;
@@ -206,7 +206,7 @@ void PlotPanel::chart(ResearchContext& context) {
   grid(y, false);
   list.AddRect(from, to, line);
   const char* xName = "ms of the plugin's passes (GPU)";
-  list.AddText({(from.x + to.x - ImGui::CalcTextSize(xName).x) / 2, to.y + 17}, text, xName);
+  list.AddText({(from.x + to.x - ImGui::CalcTextSize(xName).x) / 2, to.y + scaled(17)}, text, xName);
   list.AddText({low.x + 2, from.y}, text, "nRMSE");
 
   const auto front = paretoFront(points);

@@ -27,6 +27,11 @@ std::string textOf(const Settings& s) {
                      {"stats", s.captureStats},
                      {"view", s.captureView}};
   json["budget_ms"] = s.budgetMs;
+  json["layout"] = {{"panels", s.layout.panels},
+                    {"side", s.layout.side},
+                    {"figures", s.layout.figures},
+                    {"fields", s.layout.fields},
+                    {"text_scale", s.layout.textScale}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -44,6 +49,12 @@ Settings settingsFrom(const Json& json) {
   s.captureDepth = capture.value("depth", s.captureDepth), s.captureStats = capture.value("stats", s.captureStats);
   s.captureView = capture.value("view", s.captureView);
   s.budgetMs = json.value("budget_ms", s.budgetMs);
+  const Json layout = json.value("layout", Json::object());
+  s.layout.panels = layout.value("panels", s.layout.panels);
+  s.layout.side = layout.value("side", s.layout.side);
+  s.layout.figures = layout.value("figures", s.layout.figures);
+  s.layout.fields = layout.value("fields", s.layout.fields);
+  s.layout.textScale = layout.value("text_scale", s.layout.textScale);
   return s;
 }
 
@@ -77,8 +88,9 @@ Settings SettingsFile::read(std::string& problem) {
   } else {
     try {
       const Settings settings = settingsFrom(Json::parse(*text));
-      if (std::isfinite(settings.budgetMs) && settings.budgetMs > 0) return written_ = settings;
-      reason = "budget_ms must be above 0";
+      const bool budget = std::isfinite(settings.budgetMs) && settings.budgetMs > 0;
+      if (budget && isSound(settings.layout)) return written_ = settings;
+      reason = budget ? "layout: sizes must be 0 or more, text_scale 0 or from 0.75 to 3" : "budget_ms must be above 0";
     } catch (const Json::exception& error) {
       reason = error.what();
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "layout.hpp"
 
 namespace tyndall::editor {
 
@@ -15,6 +16,7 @@ struct Settings {
   bool capturePicture = true, captureScatter = false, captureDepth = false, captureStats = true;
   bool captureView = false;
   double budgetMs = 16;  ///< the line in the graph of GPU times
+  Layout layout;
   bool operator==(const Settings&) const = default;
 
   void opened(const std::string& level);

@@ -23,6 +23,14 @@ constexpr Shortcut kShortcuts[] = {
     {Command::kResetAll, "Reset all parameters", "Ctrl+R", "every parameter gets its default", GLFW_KEY_R, true},
     {Command::kSearch, "Search parameters", "Ctrl+F", "by name, id or help text", GLFW_KEY_F, true},
     {Command::kResetCamera, "The file's camera", "F", "which the view follows until it is flown", GLFW_KEY_F},
+    {Command::kPanels, "Panels", "F10", "hides and shows the panels", GLFW_KEY_F10},
+    {Command::kLargerText, "Larger text", "Ctrl++", "of the whole window", GLFW_KEY_EQUAL, true},
+    {Command::kLargerText, nullptr, nullptr, nullptr, GLFW_KEY_EQUAL, true, true},
+    {Command::kLargerText, nullptr, nullptr, nullptr, GLFW_KEY_KP_ADD, true},
+    {Command::kSmallerText, "Smaller text", "Ctrl+-", "of the whole window", GLFW_KEY_MINUS, true},
+    {Command::kSmallerText, nullptr, nullptr, nullptr, GLFW_KEY_KP_SUBTRACT, true},
+    {Command::kNormalText, "Normal text", "Ctrl+0", "as large as the display asks for", GLFW_KEY_0, true},
+    {Command::kResetLayout, "Reset layout", nullptr, nullptr},
     {Command::kHelp, "Keys", "F1", "this list", GLFW_KEY_F1},
 };
 
@@ -44,11 +52,11 @@ std::vector<Command> Shortcuts::pressed(const Window& window, bool typing) {
   // flight asks for) only with Ctrl.
   for (const Shortcut& shortcut : kShortcuts) {
     const bool flies = shortcut.key == GLFW_KEY_S || shortcut.key == GLFW_KEY_D || shortcut.key == GLFW_KEY_Q;
-    if ((control || !flies) && !now.contains(shortcut.key)) now[shortcut.key] = window.keyDown(shortcut.key);
+    if (shortcut.key != 0 && (control || !flies) && !now.contains(shortcut.key)) now[shortcut.key] = window.keyDown(shortcut.key);
   }
   std::vector<Command> commands;
   for (const Shortcut& shortcut : kShortcuts) {
-    if (!now[shortcut.key] || down_[shortcut.key] || shortcut.control != control ||
+    if (shortcut.key == 0 || !now[shortcut.key] || down_[shortcut.key] || shortcut.control != control ||
         shortcut.shift != (shift && shortcut.control))
       continue;
     const bool ofTheField = shortcut.key == GLFW_KEY_Z || shortcut.key == GLFW_KEY_Y;  // a field undoes its own typing

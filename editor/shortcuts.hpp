@@ -22,13 +22,18 @@ enum class Command {
   kResetAll,
   kSearch,
   kResetCamera,
+  kPanels,
+  kLargerText,
+  kSmallerText,
+  kNormalText,
+  kResetLayout,
   kHelp
 };
 
 struct Shortcut {
   Command command;
   const char* name;  ///< in the menu; also the widget's name in the state file
-  const char* keys;  ///< as shown
+  const char* keys;  ///< as shown; null: none
   const char* does;  ///< one line for the overlay
   int key = 0;       ///< GLFW_KEY_*
   bool control = false, shift = false;

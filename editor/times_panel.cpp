@@ -7,8 +7,7 @@ namespace tyndall::editor {
 namespace {
 
 constexpr double kMinBudget = 0.05, kMaxBudget = 1000;  // ms
-constexpr float kGraphHeight = 64;                      // points
-constexpr double kMiB = 1024.0 * 1024;
+constexpr float kGraphHeight = 64;                      // points, of normal text
 
 /// Neighbouring passes get hues far apart (the golden ratio's steps); the engine's are paler.
 ImU32 colourOf(std::size_t place, bool engine) {
@@ -85,13 +84,15 @@ void TimesPanel::table() {
   ImGui::EndTable();
 }
 
-void TimesPanel::draw(const app::Session& session, double& budgetMs, Workspace& workspace) {
-  if (session.finishedFrames() != taken_) {
-    taken_ = session.finishedFrames();
-    history_.add(session.lastPassTimes());
-  }
+void TimesPanel::take(const app::Session& session) {
+  if (session.finishedFrames() == taken_) return;
+  taken_ = session.finishedFrames();
+  history_.add(session.lastPassTimes());
+}
+
+void TimesPanel::draw(double& budgetMs, Workspace& workspace) {
   if (history_.frames().empty()) return;
-  ImGui::SetNextItemWidth(90);
+  ImGui::SetNextItemWidth(scaled(90));
   ImGui::DragScalar("budget", ImGuiDataType_Double, &budgetMs, 0.1f, &kMinBudget, &kMaxBudget, "%.2f ms",
                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   workspace.place("budget");
@@ -107,40 +108,9 @@ void TimesPanel::draw(const app::Session& session, double& budgetMs, Workspace& 
     ImGui::TextColored(kErrorColor, "%.2f ms over", total.current - budgetMs);
   else
     ImGui::Text("%.2f ms left", budgetMs - total.current);
-  graph(budgetMs, kGraphHeight);
+  graph(budgetMs, scaled(kGraphHeight));
   workspace.place("times graph");
   table();
-}
-
-void TimesPanel::drawSkipped(app::Session& session, Workspace& workspace) {
-  ImGui::BeginChild("skipped");
-  const auto bytes = [](const char* what, std::uint64_t count) {
-    ImGui::Text("%9.2f MiB  %s", static_cast<double>(count) / kMiB, what);
-  };
-  ImGui::TextColored(kChangedColor, "Memory");
-  bytes("of the device, all images and buffers", session.device().allocatedBytes());
-  bytes("of a frame's passing images", session.statistics().transientBytes);
-  bytes("of the effect", session.effect().memoryBytes());
-  const std::vector<std::uint64_t> lights = session.effect().lightMemoryBytes();
-  for (std::size_t i = 0; i < lights.size(); ++i)
-    bytes(("of it in turn, light " + std::to_string(i)).c_str(), lights[i]);
-  ImGui::TextColored(kChangedColor, "Skipped by the effect");
-  std::size_t shown = 0;
-  for (const auto& [reason, count] : session.effect().counters()) {
-    if (count == 0) continue;
-    ImGui::Text("%9llu  %s", static_cast<unsigned long long>(count), reason.c_str());
-    ++shown;
-  }
-  workspace.facts["skipped.count"] = std::to_string(shown);
-  if (shown == 0) ImGui::TextColored(kDimColor, "nothing");
-  ImGui::TextColored(kChangedColor, "Left out by the renderer");
-  const std::vector<std::string>& notes = session.renderer().notes();
-  ImGui::PushTextWrapPos(0);
-  for (const std::string& note : notes) ImGui::TextUnformatted(note.c_str());
-  for (const std::string& note : session.level()->notes) ImGui::TextUnformatted(note.c_str());
-  ImGui::PopTextWrapPos();
-  if (notes.empty() && session.level()->notes.empty()) ImGui::TextColored(kDimColor, "nothing");
-  ImGui::EndChild();
 }
 
 }  // namespace tyndall::editor

@@ -1,4 +1,4 @@
-// GPU times as a stacked graph and a table; what was skipped and why; memory.
+// GPU times as a stacked graph and a table.
 #pragma once
 
 #include "app/session.hpp"
@@ -9,10 +9,10 @@ namespace tyndall::editor {
 
 class TimesPanel {
  public:
+  /// Notes the times of the newest finished frame; in every frame, whether the panel is seen or not.
+  void take(const app::Session& session);
   /// Fills the rest of the current ImGui window. `budgetMs` is the line in the graph; the user can drag it.
-  void draw(const app::Session& session, double& budgetMs, Workspace& workspace);
-  /// Lines of what the last frame left out, and where memory goes.
-  void drawSkipped(app::Session& session, Workspace& workspace);
+  void draw(double& budgetMs, Workspace& workspace);
 
  private:
   void graph(double budgetMs, float height);

@@ -21,7 +21,7 @@ void TruthPanel::draw(ResearchContext& context) {
   reference.update(context);
   // Right, so that viewers, which open left, do not hide it.
   ImGui::SetNextWindowPos({std::max(30.0f, static_cast<float>(context.shot.width) - 575), 40}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({560, 520}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({scaled(560), scaled(520)}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSizeConstraints({320, 240}, {16384, 16384});
   if (ImGui::Begin("Reference", &open, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
     controls(context);
@@ -47,7 +47,7 @@ void TruthPanel::draw(ResearchContext& context) {
 
 void TruthPanel::controls(ResearchContext& context) {
   Workspace& workspace = context.workspace;
-  ImGui::SetNextItemWidth(190);
+  ImGui::SetNextItemWidth(scaled(190));
   if (ImGui::BeginCombo("##kind", kKinds[static_cast<int>(reference.kind)])) {
     for (int i = 0; i < 3; ++i) {
       const bool possible = i != static_cast<int>(ReferenceKind::kStored) || reference.hasStored();
@@ -61,7 +61,7 @@ void TruthPanel::controls(ResearchContext& context) {
   workspace.place("reference kind");
   if (reference.kind == ReferenceKind::kTraced) {
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(70);
+    ImGui::SetNextItemWidth(scaled(70));
     if (ImGui::BeginCombo("##samples", std::to_string(reference.samples).c_str())) {
       for (const int choice : kSampleChoices) {
         if (ImGui::Selectable(std::to_string(choice).c_str(), choice == reference.samples)) reference.samples = choice;
@@ -137,7 +137,7 @@ void TruthPanel::showChoice(ResearchContext& context) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Keeps the present picture, to compare other settings with it");
   if (show_ != Show::kError) return;
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(60);
+  ImGui::SetNextItemWidth(scaled(60));
   ImGui::DragFloat("##most", &mostError_, 0.002f, 1e-4f, 10, "%.3g",
                    ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   workspace.place("reference error range");
@@ -236,7 +236,7 @@ void TruthPanel::divider(const ViewCanvas::Seen& seen, ResearchContext& context,
 
 void TruthPanel::scaleBar(const ViewCanvas::Seen& seen) const {
   const ImVec2 low{seen.low.x + 10, seen.low.y + seen.size.y - 36};
-  seen.list->AddRectFilled({low.x - 6, low.y - 6}, {low.x + kBarWidth + 6, low.y + kBarHeight + 20},
+  seen.list->AddRectFilled({low.x - 6, low.y - 6}, {low.x + kBarWidth + 6, low.y + kBarHeight + 6 + scaled(14)},
                            IM_COL32(0, 0, 0, 170), 3);
   constexpr int kParts = 60;
   for (int i = 0; i < kParts; ++i) {

@@ -127,7 +127,7 @@ void RowLink::drawRays(const ResearchContext& context, ImDrawList& list, glm::ve
 
 void RowLink::draw(ResearchContext& context) {
   if (!open) return;
-  ImGui::SetNextWindowSize({520, 235}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({scaled(520), scaled(235)}, ImGuiCond_FirstUseEver);
   // Low in the corner, where it hides little of the picture.
   ImGui::SetNextWindowPos({6, std::max(ImGui::GetIO().DisplaySize.y - 270, 60.0f)}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Row of a pixel", &open, ImGuiWindowFlags_NoFocusOnAppearing)) {

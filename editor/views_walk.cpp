@@ -77,7 +77,7 @@ WalkRow WalkView::rowOf(std::uint32_t slice) const {
 
 void WalkView::draw(ResearchContext& context, glm::uvec2 rows, const std::optional<glm::vec3>& end) {
   if (!open) return;
-  ImGui::SetNextWindowSize({640, 270}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({scaled(640), scaled(270)}, ImGuiCond_FirstUseEver);
   // Above the row's own window, which is low in the corner.
   ImGui::SetNextWindowPos({6, std::max(ImGui::GetIO().DisplaySize.y - 560, 60.0f)}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Walk in the map", &open, ImGuiWindowFlags_NoFocusOnAppearing)) {

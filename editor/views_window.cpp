@@ -35,7 +35,7 @@ bool ViewWindow::draw(ResearchContext& context, RowLink& link, const JobPointer&
   const std::string name = "view " + view_;
   const float offset = 28.0f * static_cast<float>(number_ % 8);
   ImGui::SetNextWindowPos({60 + offset, 60 + offset}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({470, 400}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({scaled(470), scaled(400)}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSizeConstraints({240, 160}, {16384, 16384});
   const bool visible = ImGui::Begin((view_ + "##" + std::to_string(number_)).c_str(), &open,
                                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
@@ -92,7 +92,7 @@ bool ViewWindow::draw(ResearchContext& context, RowLink& link, const JobPointer&
 }
 
 void ViewWindow::toolbar(Workspace& workspace) {
-  ImGui::SetNextItemWidth(58);
+  ImGui::SetNextItemWidth(scaled(58));
   if (ImGui::BeginCombo("##channel", kChannels[stretch_.channel])) {
     for (std::uint32_t c = 0; c < 5; ++c)
       if ((c < picture_.channels || (c == 4 && picture_.channels >= 3)) &&
@@ -126,12 +126,12 @@ void ViewWindow::toolbar(Workspace& workspace) {
 void ViewWindow::rangeFields(Workspace& workspace) {
   const float step = std::max((stretch_.high - stretch_.low) * 0.005f, 1e-9f);
   float low = stretch_.low, high = stretch_.high;
-  ImGui::SetNextItemWidth(64);
+  ImGui::SetNextItemWidth(scaled(64));
   bool changed = ImGui::DragFloat("##low", &low, step, 0, 0, "%.4g");
   workspace.place("view " + view_ + " low");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Shown as black; drag, or Ctrl+click to type");
   ImGui::SameLine(0, 2);
-  ImGui::SetNextItemWidth(64);
+  ImGui::SetNextItemWidth(scaled(64));
   changed |= ImGui::DragFloat("##high", &high, step, 0, 0, "%.4g");
   workspace.place("view " + view_ + " high");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Shown as white; drag, or Ctrl+click to type");
@@ -155,7 +155,7 @@ void ViewWindow::partChoice(Workspace& workspace) {
                           std::optional<std::uint32_t>& wanted) {
     if (count < 2) return;
     int value = static_cast<int>(wanted.value_or(now));
-    ImGui::SetNextItemWidth(110);
+    ImGui::SetNextItemWidth(scaled(110));
     if (ImGui::SliderInt(label, &value, 0, static_cast<int>(count) - 1))
       wanted = static_cast<std::uint32_t>(std::clamp(value, 0, static_cast<int>(count) - 1));
     workspace.place("view " + view_ + " " + label);

@@ -1,5 +1,7 @@
 #include "window.hpp"
 
+#include <algorithm>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -57,6 +59,16 @@ void Window::resize(std::uint32_t width, std::uint32_t height) {
 }
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 bool Window::keyDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
+
+float Window::textScale() const {
+  float scale = 1, unused = 1;
+  glfwGetWindowContentScale(window_, &scale, &unused);
+  int width = 0, height = 0;
+  glfwGetWindowSize(window_, &width, &height);
+  // Where points are larger than pixels already, the text is as well.
+  const float pixelsPerPoint = width > 0 ? static_cast<float>(pixels().first) / static_cast<float>(width) : 1;
+  return std::max(scale / std::max(pixelsPerPoint, 1e-3f), 1.0f);
+}
 
 std::pair<std::uint32_t, std::uint32_t> Window::pixels() const {
   int width = 0, height = 0;

@@ -47,6 +47,9 @@ struct Workspace {
   }
 };
 
+/// Points, from those at the text's normal size.
+inline float scaled(float points) { return points * ImGui::GetFontSize() / 13; }
+
 /// Theme.
 inline const ImVec4 kErrorColor{1.0f, 0.45f, 0.40f, 1}, kChangedColor{1.0f, 0.80f, 0.35f, 1}, kDimColor{0.55f, 0.57f, 0.60f, 1};
 

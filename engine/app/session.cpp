@@ -144,6 +144,7 @@ Result<void> Session::submitFrame(render::Graph& graph, const gpu::FrameSignals&
   auto recorded = [&]() -> Result<void> {
     if (auto compiled = graph.compile(); !compiled) return compiled;
     statistics_ = graph.statistics();
+    transients_ = graph.transients();
     // A capacity of 0 is none at all, which a graph without passes could not be recorded with.
     if (slot.timestamps.capacity() == 0 || slot.timestamps.capacity() < statistics_.passesRun) {
       auto made = gpu::Timestamps::create(*device_, statistics_.passesRun + 16);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/median.hpp"
+#include "app/memory.hpp"
 
 namespace tyndall::app {
 namespace {
@@ -110,7 +111,10 @@ std::string statsJson(const RenderOptions& options, Session& session, const Rend
   for (const auto& [id, value] : session.effect().resolved()) resolved[id] = value;
   j["resolved"] = resolved;
   j["unused_settings"] = catalogue.unusedSettings();
-  j["memory"] = {{"device_bytes", run.deviceBytes}, {"transient_bytes", run.transientBytes}};
+  j["memory"] = {{"device_bytes", run.deviceBytes}, {"transient_bytes", run.transientBytes}, {"kept", Json::array()}, {"passing", Json::array()}};
+  for (const ResourceMemory& m : keptMemory(session.device())) j["memory"]["kept"].push_back({{"name", m.name}, {"what", m.what}, {"bytes", m.bytes}});
+  for (const ResourceMemory& m : passingMemory(session))
+    j["memory"]["passing"].push_back({{"name", m.name}, {"owner", m.owner}, {"what", m.what}, {"bytes", m.bytes}, {"first_pass", m.firstPass}, {"last_pass", m.lastPass}});
   j["notes"] = notes;
   j["settings"] = Json::object();
   for (const params::Parameter& parameter : catalogue.table().parameters())

@@ -52,6 +52,14 @@ VkQueue Device::queue() const { return state_->queue; }
 std::uint32_t Device::queueFamily() const { return state_->family; }
 VkPipelineCache Device::pipelineCache() const { return state_->pipelineCache; }
 VkDeviceSize Device::allocatedBytes() const { return state_->allocator->usedBytes(); }
+std::vector<MemoryUser> Device::memoryUsers() const {
+  std::vector<MemoryUser> users;
+  for (const Allocation* allocation : state_->allocator->live()) users.push_back(allocation->user);
+  std::sort(users.begin(), users.end(), [](const MemoryUser& a, const MemoryUser& b) {
+    return a.bytes != b.bytes ? a.bytes > b.bytes : a.name < b.name;
+  });
+  return users;
+}
 std::uint32_t Device::validationMessages() const { return state_->validation.messages; }
 
 void Device::setName(VkObjectType type, std::uint64_t handle, const std::string& name) {
@@ -67,7 +75,9 @@ void Device::State::name(VkObjectType type, std::uint64_t handle, const std::str
 
 Result<std::shared_ptr<Allocation>> Device::allocate(const VkMemoryRequirements& requirements,
                                                      const std::string& name) {
-  return state_->allocator->allocate(requirements, MemoryUse::kDevice, name);
+  auto made = state_->allocator->allocate(requirements, MemoryUse::kDevice, name);
+  if (made) (*made)->user.shared = true;
+  return made;
 }
 
 VkSampler Device::sampler(const VkSamplerCreateInfo& wanted) {

@@ -143,6 +143,7 @@ Result<Image> Device::createImageAt(const ImageDesc& desc, std::shared_ptr<Alloc
     auto own = state_->allocator->allocate(needs, MemoryUse::kDevice, desc.name);
     if (!own) return failed("image " + own.error().message + " (" + sizeText(desc) + ")");
     memory = own.take();
+    memory->user.image = desc;
   }
   const VkDeviceSize at = memory->offset + offset;
   TY_ASSERT(at % needs.alignment == 0 && offset <= memory->size && needs.size <= memory->size - offset &&

@@ -118,11 +118,15 @@ void Allocator::removeBlock(std::uint32_t index) {
   blocks_[index].reset();
 }
 
-std::shared_ptr<Allocation> Allocator::take(std::uint32_t index, VkDeviceSize offset, VkDeviceSize size) {
+std::shared_ptr<Allocation> Allocator::take(std::uint32_t index, VkDeviceSize offset, VkDeviceSize size,
+                                            const std::string& name) {
   const Block& block = *blocks_[index];
-  usedBytes_ += size;
   std::byte* mapped = block.mapped ? block.mapped + offset : nullptr;
-  return {new Allocation{block.memory, offset, size, mapped, index}, [this](Allocation* allocation) {
+  auto* made = new Allocation{block.memory, offset, size, mapped, index, {name, size, std::nullopt, false}};
+  usedBytes_ += size;
+  live_.insert(made);
+  return {made, [this](Allocation* allocation) {
+            live_.erase(allocation);
             give(*allocation);
             delete allocation;
           }};
@@ -150,14 +154,14 @@ Result<std::shared_ptr<Allocation>> Allocator::allocate(const VkMemoryRequiremen
     const bool own = size > blockBytes(type) / 2;
     for (std::uint32_t i = 0; i < blocks_.size() && !own; ++i) {
       if (!blocks_[i] || blocks_[i]->type != type || blocks_[i]->own) continue;
-      if (const auto offset = blocks_[i]->ranges.allocate(size, alignment)) return take(i, *offset, size);
+      if (const auto offset = blocks_[i]->ranges.allocate(size, alignment)) return take(i, *offset, size, name);
     }
     std::uint32_t index = 0;
     result = addBlock(type, own ? size : blockBytes(type), own, index);
     if (result != VK_SUCCESS) continue;
     if (type != types.front())
       log::debug("'" + name + "': the preferred memory is full, using memory type " + std::to_string(type));
-    return take(index, *blocks_[index]->ranges.allocate(size, alignment), size);
+    return take(index, *blocks_[index]->ranges.allocate(size, alignment), size, name);
   }
   return failed("'" + name + "': no memory for " + std::to_string(size) + " bytes (" + text(result) + "), " +
                 std::to_string(usedBytes_) + " bytes are in use");

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "gpu/device.hpp"
@@ -30,6 +31,7 @@ class Allocator {
                                                const std::string& name);
   VkMemoryRequirements rounded(VkMemoryRequirements requirements) const;
   VkDeviceSize usedBytes() const { return usedBytes_; }
+  const std::unordered_set<const Allocation*>& live() const { return live_; }
   std::uint32_t blockCount() const;
   /// Whether memory that `allocation` lies in is of a type in `typeBits`.
   bool fits(const Allocation& allocation, std::uint32_t typeBits) const;
@@ -46,12 +48,13 @@ class Allocator {
   VkDeviceSize blockBytes(std::uint32_t type) const;
   VkResult addBlock(std::uint32_t type, VkDeviceSize size, bool own, std::uint32_t& index);
   void removeBlock(std::uint32_t index);
-  std::shared_ptr<Allocation> take(std::uint32_t index, VkDeviceSize offset, VkDeviceSize size);
+  std::shared_ptr<Allocation> take(std::uint32_t index, VkDeviceSize offset, VkDeviceSize size, const std::string& name);
   void give(const Allocation& allocation);
 
   VkDevice device_;
   VkPhysicalDeviceMemoryProperties memory_{};
   VkDeviceSize granularity_ = 1, largest_ = 0, usedBytes_ = 0;
+  std::unordered_set<const Allocation*> live_;
   std::vector<VkDeviceSize> heapBytes_;         ///< taken by blocks, per heap
   std::vector<std::unique_ptr<Block>> blocks_;  ///< null where a block was returned
 };

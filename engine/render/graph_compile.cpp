@@ -130,6 +130,28 @@ Result<void> Graph::compile() {
 
 GraphStatistics Graph::statistics() const { return state_->statistics; }
 
+std::vector<TransientUse> Graph::transients() const {
+  const State& s = *state_;
+  TY_ASSERT(s.compiled && s.compileId == s.memory.compiles, "transients() before compile(), or after another graph's");
+  const std::vector<plan::Life> lives = plan::lives(s.input, s.kept);
+  std::vector<TransientUse> uses;
+  for (std::size_t r = 0; r < s.resources.size(); ++r) {
+    const GraphResource& resource = s.resources[r];
+    if (resource.imported() || resource.physical == ~0u) continue;
+    const PhysicalResource& place = s.memory.resources[resource.physical];
+    TransientUse& use = uses.emplace_back();
+    use.name = s.input.resources[r].name;
+    use.owner = resource.owner;
+    if (!resource.isBuffer) use.image = place.imageDesc;
+    use.heap = place.heap;
+    use.offset = place.offset;
+    use.bytes = resource.bytes;
+    use.firstPass = s.passes[lives[r].first].name;
+    use.lastPass = s.passes[lives[r].last].name;
+  }
+  return uses;
+}
+
 VkDeviceSize Graph::ownerBytes(std::string_view owner) const {
   VkDeviceSize bytes = 0;
   for (const GraphResource& resource : state_->resources)

@@ -51,6 +51,23 @@ TEST_P(EachTechnique, GivesEveryFileAndTimesThatAddUp) {
   const json stats = json::parse(readText(folder_ / "s.json"));
   for (const char* key : {"device", "driver", "level", "camera", "size", "frames", "passes", "volumetrics", "gpu_ms", "settings", "unused_settings", "resolved", "notes", "memory"})
     EXPECT_TRUE(stats.contains(key)) << key;
+  // Memory by resource: what is kept is all that there is; what passes shares a part of it, and says from which pass to which.
+  const json& memory = stats.at("memory");
+  std::uint64_t kept = 0;
+  for (const json& resource : memory.at("kept")) kept += resource.at("bytes").get<std::uint64_t>();
+  EXPECT_EQ(kept, memory.at("device_bytes"));
+  std::uint64_t passing = 0, effects = 0;
+  std::set<std::string> ran;
+  for (const json& pass : stats.at("passes")) ran.insert(pass.at("name"));
+  for (const json& resource : memory.at("passing")) {
+    passing += resource.at("bytes").get<std::uint64_t>();
+    EXPECT_FALSE(resource.at("what").get<std::string>().empty());
+    if (resource.at("owner") != "volumetrics") continue;
+    effects += resource.at("bytes").get<std::uint64_t>();
+    EXPECT_TRUE(ran.contains(resource.at("first_pass")) || resource.at("first_pass") == "readback") << resource;
+  }
+  EXPECT_GE(passing, memory.at("transient_bytes").get<std::uint64_t>());
+  EXPECT_EQ(effects > 0, technique != "none");
   EXPECT_EQ(stats.at("size"), json({96, 54}));
   EXPECT_EQ(stats.at("frames"), 3);
   double total = 0, owned = 0;

@@ -46,6 +46,7 @@ TEST_F(FilesTest, SettingsComeBack) {
   EXPECT_EQ(settings.recentLevels[0], "level7");
   EXPECT_EQ(settings.recentLevels[1], "level11");
   settings.captureFolder = "/some/where", settings.captureDepth = true, settings.budgetMs = 8.25;
+  settings.layout = {.panels = false, .side = 312, .figures = 200.5f, .fields = 90, .textScale = 1.5f};
   std::string problem;
   SettingsFile first(path);
   EXPECT_EQ(first.read(problem), Settings());
@@ -57,6 +58,7 @@ TEST_F(FilesTest, SettingsComeBack) {
 
 TEST_F(FilesTest, BrokenSettingsAreSetAsideAndSaid) {
   for (const char* text : {"{", "[]", "12", "{\"recent_levels\": 3}", "{\"budget_ms\": -1}",
+                           "{\"layout\": {\"side\": -3}}", "{\"layout\": {\"text_scale\": 90}}", "{\"layout\": {\"panels\": 1}}",
                            "{\"capture\": {\"picture\": \"yes\"}}", ""}) {
     SCOPED_TRACE(text);
     const fs::path path = write("editor.json", text);

@@ -1,4 +1,5 @@
 // The allocator's blocks on a real device: few, shared, returned.
+#include <map>
 #include <random>
 
 #include "gpu_test.hpp"
@@ -86,6 +87,43 @@ TEST_F(GpuMemory, TheHeapIsNotExceeded) {
   ASSERT_FALSE(made.ok());
   EXPECT_NE(made.error().message.find("'everything'"), std::string::npos) << made.error().message;
   EXPECT_EQ(allocator->blockCount(), 0u);
+}
+
+TEST_F(GpuMemory, UsersAreNamedAndTheirBytesAreAllThatIsAllocated) {
+  const auto users = [&] {
+    std::map<std::string, MemoryUser> byName;
+    VkDeviceSize sum = 0, last = ~VkDeviceSize{0};
+    for (const MemoryUser& user : device->memoryUsers()) {
+      byName[user.name] = user;
+      sum += user.bytes;
+      EXPECT_LE(user.bytes, last) << "the largest first";
+      last = user.bytes;
+    }
+    EXPECT_EQ(sum, device->allocatedBytes());
+    return byName;
+  };
+  const std::size_t before = users().size();
+  const ImageDesc desc{.name = "a map", .format = VK_FORMAT_R32_SFLOAT, .width = 300, .height = 200, .usage = VK_IMAGE_USAGE_SAMPLED_BIT};
+  auto image = device->createImage(desc);
+  auto buffer = device->createBuffer({.name = "a list", .size = 12345, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+  auto shared = device->allocate(device->requirements(desc), "in turn");
+  ASSERT_TRUE(image && buffer && shared);
+  auto now = users();
+  ASSERT_EQ(now.size(), before + 3);
+  ASSERT_TRUE(now.at("a map").image.has_value());
+  EXPECT_EQ(*now.at("a map").image, desc);
+  EXPECT_GE(now.at("a map").bytes, 300u * 200 * 4);
+  EXPECT_FALSE(now.at("a list").image);
+  EXPECT_GE(now.at("a list").bytes, 12345u);
+  EXPECT_TRUE(now.at("in turn").shared);
+  EXPECT_FALSE(now.at("a map").shared || now.at("a list").shared);
+  // Let go of; the GPU may still use it until its frames are done.
+  *image = Image();
+  *shared = nullptr;
+  ASSERT_TRUE(device->waitIdle());
+  now = users();
+  EXPECT_FALSE(now.contains("a map") || now.contains("in turn"));
+  EXPECT_TRUE(now.contains("a list"));
 }
 
 }  // namespace

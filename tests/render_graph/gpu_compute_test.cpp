@@ -129,6 +129,22 @@ TEST_F(GraphCompute, AChainThroughSharedMemoryComputesItsNumbers) {
   EXPECT_LE(statistics.transientBytes * 10, statistics.transientBytesUnshared);
   EXPECT_EQ(graph.ownerBytes("chain"), statistics.transientBytesUnshared);
   EXPECT_EQ(graph.ownerBytes("engine"), 0u);
+  // Each with its part of the memory and the passes that need it; those that live at the same time lie apart.
+  const std::vector<TransientUse> uses = graph.transients();
+  EXPECT_EQ(uses.size(), 2 * kSteps + 1);
+  VkDeviceSize sum = 0;
+  for (const TransientUse& use : uses) {
+    sum += use.bytes;
+    EXPECT_EQ(use.owner, "chain");
+    EXPECT_GE(use.bytes, kCount * 4);
+    if (use.image) {
+      EXPECT_EQ(use.image->width, kSide);
+    } else {
+      EXPECT_EQ(use.firstPass, "to buffer");
+      EXPECT_EQ(use.lastPass, "to image");
+    }
+  }
+  EXPECT_EQ(sum, statistics.transientBytesUnshared);
 }
 
 TEST_F(GraphCompute, AHundredFramesInFlightAgreeAndNeedNoMoreMemory) {

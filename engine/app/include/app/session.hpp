@@ -92,6 +92,7 @@ class Session {
   /// The greatest side a picture can have on this device, pixels.
   std::uint32_t maxSide() const;
   const render::GraphStatistics& statistics() const { return statistics_; }  ///< of the last submitted frame
+  const std::vector<render::TransientUse>& transients() const { return transients_; }  ///< of the last submitted frame
 
  private:
   struct Slot {
@@ -117,6 +118,7 @@ class Session {
   std::optional<Level> level_;
   std::vector<render::PassTime> lastTimes_;
   render::GraphStatistics statistics_;
+  std::vector<render::TransientUse> transients_;
   std::uint64_t finished_ = 0;
   std::uint64_t frameIndex_ = 0;
   std::uint64_t levelsSet_ = 0;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,14 +36,6 @@ struct DeviceInfo {
   double timestampPeriodNs = 0;
 };
 
-class Allocator;
-struct Allocation {  ///< a range of one of the allocator's blocks
-  VkDeviceMemory memory = VK_NULL_HANDLE;
-  VkDeviceSize offset = 0, size = 0;
-  std::byte* mapped = nullptr;  ///< host address, or null
-  std::uint32_t block = ~0u;
-};
-
 struct ImageDesc {
   std::string name;  ///< debug name
   VkFormat format = VK_FORMAT_UNDEFINED;
@@ -50,6 +43,23 @@ struct ImageDesc {
   VkImageType type = VK_IMAGE_TYPE_2D;
   VkImageUsageFlags usage = 0;
   bool operator==(const ImageDesc&) const = default;
+};
+
+/// What a piece of memory is for.
+struct MemoryUser {
+  std::string name;  ///< of the image or buffer, or of what shares it
+  VkDeviceSize bytes = 0;
+  std::optional<ImageDesc> image;  ///< where it is one image's
+  bool shared = false;             ///< by several in turn (allocate())
+};
+
+class Allocator;
+struct Allocation {  ///< a range of one of the allocator's blocks
+  VkDeviceMemory memory = VK_NULL_HANDLE;
+  VkDeviceSize offset = 0, size = 0;
+  std::byte* mapped = nullptr;  ///< host address, or null
+  std::uint32_t block = ~0u;
+  MemoryUser user{};
 };
 
 /// Part of an image; counts of 0 mean "all from the base". `array` asks for an array view even of one layer.
@@ -167,6 +177,7 @@ class Device {
   Result<std::vector<std::byte>> readback(const Buffer& buffer);
 
   VkDeviceSize allocatedBytes() const;       ///< in use by images and buffers, without the blocks' free space
+  std::vector<MemoryUser> memoryUsers() const;  ///< whose bytes these are, the largest first; what is let go of counts until the GPU is done with it
   std::uint32_t validationMessages() const;  ///< warnings and errors so far (also printed)
   void setName(VkObjectType type, std::uint64_t handle, const std::string& name);
 

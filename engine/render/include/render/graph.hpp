@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,6 +67,15 @@ struct GraphStatistics {
   VkDeviceSize transientBytesUnshared = 0;  ///< what they would take each on its own
   /// The memory was made anew in this frame, and there was room only once the old had been freed: the GPU was waited for.
   bool waitedForMemory = false;
+};
+
+/// A transient's part of the shared memory. Those of the same heap whose passes do not overlap may lie on each other.
+struct TransientUse {
+  std::string name, owner;
+  std::optional<gpu::ImageDesc> image;  ///< else it is a buffer
+  std::uint32_t heap = 0;
+  VkDeviceSize offset = 0, bytes = 0;  ///< in its heap
+  std::string firstPass, lastPass;     ///< that use it
 };
 
 /// Memory and physical resources that live from frame to frame (one per renderer). Reused while the plan is unchanged.
@@ -130,6 +140,7 @@ class Graph {
   /// Names and owners of the passes that record() ran (idle ones left out), in the order of Timestamps::milliseconds().
   std::vector<PassTime> passes() const;
   GraphStatistics statistics() const;
+  std::vector<TransientUse> transients() const;         ///< in the order of their declaration, without what no kept pass uses
   VkDeviceSize ownerBytes(std::string_view owner) const;  ///< memory of that owner's transients, unshared
 
   struct State;
