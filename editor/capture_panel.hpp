@@ -16,7 +16,7 @@ class CapturePanel {
  public:
   bool open = false;
   bool picture = true, scatter = false, depth = false, stats = true;
-  bool view = false;  ///< the numbers of the debug view that is shown, if one is
+  bool view = false;                ///< the numbers of the debug view that is shown, if one is
   std::array<char, 1024> folder{};  ///< "" = the working folder
 
   void restore(const Settings& settings);

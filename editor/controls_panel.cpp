@@ -5,8 +5,10 @@ namespace {
 
 void cameraLine(const FlyCamera& camera, Workspace& workspace) {
   ImGui::AlignTextToFramePadding();
-  if (camera.flown()) ImGui::Text("flown by hand, %.3g m/s", static_cast<double>(camera.speed()));
-  else ImGui::TextUnformatted("the file's camera");
+  if (camera.flown())
+    ImGui::Text("flown by hand, %.3g m/s", static_cast<double>(camera.speed()));
+  else
+    ImGui::TextUnformatted("the file's camera");
   ImGui::SameLine();
   ImGui::BeginDisabled(!camera.flown());
   if (ImGui::Button("reset (F)")) workspace.cameraReset = true;
@@ -33,7 +35,8 @@ void timeLine(const app::Level& level, Workspace& workspace) {
 
 void viewCombo(const app::Session& session, Workspace& workspace) {
   ImGui::SetNextItemWidth(-1);
-  const bool open = ImGui::BeginCombo("##view", workspace.debugView.empty() ? "the picture" : workspace.debugView.c_str());
+  const bool open =
+      ImGui::BeginCombo("##view", workspace.debugView.empty() ? "the picture" : workspace.debugView.c_str());
   workspace.place("debug view");
   if (!open) return;
   const auto choose = [&](const std::string& name, const char* label, const std::string& doc) {
@@ -73,7 +76,8 @@ void drawControls(const app::Session& session, const FlyCamera& camera, Workspac
     line("Reload");
     if (ImGui::Button("plugin")) workspace.reloadPlugin = true;
     workspace.place("reload plugin");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Loads the plugin again, values are kept. A rebuilt one is noticed by itself.");
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("Loads the plugin again, values are kept. A rebuilt one is noticed by itself.");
     ImGui::SameLine();
     if (ImGui::Button("shaders")) workspace.reloadShaders = true;
     workspace.place("reload shaders");
@@ -81,7 +85,8 @@ void drawControls(const app::Session& session, const FlyCamera& camera, Workspac
     line("Render");
     if (ImGui::Checkbox("without pause", &workspace.continuous)) workspace.changed = true;
     workspace.place("continuous");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Also when nothing has changed: times are then of the running state.");
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("Also when nothing has changed: times are then of the running state.");
     ImGui::EndTable();
   }
 }

@@ -19,14 +19,17 @@ bool dragBar(const char* name, Edge edge, float now, float least, float most, fl
   float* const before = ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(name));
   const bool held = ImGui::IsItemActive();
   if (ImGui::IsItemActivated()) *before = now;
-  if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(left ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+  if (held || ImGui::IsItemHovered())
+    ImGui::SetMouseCursor(left ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     kept = 0;
   } else if (held && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
     const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left);
     kept = std::max(std::min(*before - (left ? moved.x : moved.y), most), least);
   }
-  const ImU32 colour = ImGui::GetColorU32(held ? ImGuiCol_SeparatorActive : ImGui::IsItemHovered() ? ImGuiCol_SeparatorHovered : ImGuiCol_Separator);
+  const ImU32 colour = ImGui::GetColorU32(held                     ? ImGuiCol_SeparatorActive
+                                          : ImGui::IsItemHovered() ? ImGuiCol_SeparatorHovered
+                                                                   : ImGuiCol_Separator);
   const float middle = std::floor(kGrip / 2);
   if (left)
     ImGui::GetWindowDrawList()->AddLine({low.x + middle, low.y}, {low.x + middle, low.y + size.y}, colour);

@@ -49,7 +49,8 @@ void setLight(scene::Scene& scene, int node, const LightEdit& edit) {
 
 void setNode(scene::Scene& scene, int index, const NodeEdit& edit) {
   scene::Node& node = scene.nodes[at(index)];
-  node.translation = edit.translation, node.rotation = edit.rotation, node.scale = edit.scale, node.matrix = edit.matrix;
+  node.translation = edit.translation, node.rotation = edit.rotation, node.scale = edit.scale,
+  node.matrix = edit.matrix;
 }
 
 void setMaterial(scene::Scene& scene, int index, const MaterialEdit& edit) {

@@ -7,10 +7,11 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <imgui.h>
 #include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
 
 #include "app/values.hpp"
+#include "base/memory.hpp"
 #include "controls_panel.hpp"
 #include "drag_bar.hpp"
 #include "status_panel.hpp"
@@ -18,14 +19,15 @@
 namespace tyndall::editor {
 namespace {
 
-constexpr double kIdleSeconds = 0.25;      // how long an idle window sleeps: files are looked at once a second
-constexpr double kBuildingSeconds = 0.01;  // the same while something is built beside the frames
-constexpr float kMaxFlightSeconds = 0.25f; // a slow frame must not throw the camera through a wall
+constexpr double kIdleSeconds = 0.25;             // how long an idle window sleeps: files are looked at once a second
+constexpr double kBuildingSeconds = 0.01;         // the same while something is built beside the frames
+constexpr double kStillSeconds = 2;               // without a new picture: freed memory goes back to the system
+constexpr float kMaxFlightSeconds = 0.25f;        // a slow frame must not throw the camera through a wall
 constexpr float kFirstFlightSeconds = 1.0f / 30;  // the first frame of a flight: the time before it was not flown
-constexpr float kLeastSide = 200;  // width of the panels, points at normal text
-constexpr float kMostSide = 0.8f;  // of the window's width
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr float kLeastSide = 200;                 // width of the panels, points at normal text
+constexpr float kMostSide = 0.8f;                 // of the window's width
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 void beginFixed(const char* name, float x, float y, float width, float height, ImGuiWindowFlags more = 0) {
   ImGui::SetNextWindowPos({x, y});
@@ -79,7 +81,8 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   told.insert(told.end(), level->warnings.begin(), level->warnings.end());
   told.insert(told.end(), level->notes.begin(), level->notes.end());
 
-  // A window larger than any image a device is sure to take is a slip of the finger; the device's limit is looked at below.
+  // A window larger than any image a device is sure to take is a slip of the finger; the device's limit is looked at
+  // below.
   if (auto fits = app::checkSize("--size", options.size, 16384, "a window takes"); !fits) return fits.error();
   auto window = Window::open("Tyndall - " + level->name, options.size);
   if (!window) return window.error();
@@ -93,7 +96,9 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   if (!session) return session.error();
   editor->session_ = session.take();
   editor->session_->buildInBackground(true);
-  if (auto fits = app::checkSize("--size", options.size, editor->session_->maxSide(), editor->session_->device().info().name + " takes"); !fits)
+  if (auto fits = app::checkSize("--size", options.size, editor->session_->maxSide(),
+                                 editor->session_->device().info().name + " takes");
+      !fits)
     return fits.error();
   const scene::Bounds bounds = scene::worldBounds(level->scene, level->worldFromNode(options.seconds));
   editor->camera_.emplace(bounds.empty() ? 10.0f : glm::length(bounds.max - bounds.min));
@@ -108,7 +113,8 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   editor->renderer_ = renderer.take();
   editor->windowMemory_ = std::make_unique<render::GraphMemory>(editor->session_->device());
   const auto wake = [] { glfwPostEmptyEvent(); };
-  editor->research_ = std::make_unique<Research>(*editor->session_, *editor->renderer_, Laboratory::Options{device, options.pluginFolder, wake});
+  editor->research_ = std::make_unique<Research>(*editor->session_, *editor->renderer_,
+                                                 Laboratory::Options{device, options.pluginFolder, wake});
   editor->workspace_.seconds = options.seconds;
   for (const std::string& line : told) editor->workspace_.tell(line, false);
   std::string problem;
@@ -129,8 +135,12 @@ Result<void> Editor::run() {
     }
     const bool idle = options_.frames == 0 && frames_ > 2 && !moving_ && !pictureWanted();
     const bool building = session_->background() == host::PluginEffect::Background::kBuilding;
-    if (idle) window_->wait(building ? kBuildingSeconds : kIdleSeconds);
-    else window_->poll();
+    if (idle)
+      window_->wait(building ? kBuildingSeconds : kIdleSeconds);
+    else
+      window_->poll();
+    if (idle && !building && !memoryReturned_ && glfwGetTime() - pictureTime_ > kStillSeconds)
+      returnFreeMemory(), memoryReturned_ = true;
     auto drawn = step();
     if (!drawn) return drawn.error();
     if (!*drawn) window_->wait(kIdleSeconds);
@@ -140,7 +150,9 @@ Result<void> Editor::run() {
   if (stress_)
     if (auto good = stress_->report({*session_, workspace_, *window_, pictures_}); !good) return good;
   const std::uint32_t messages = session_->device().validationMessages() + research_->validationMessages();
-  if (messages > 0) return failed("--validate: the validation layer gave " + std::to_string(messages) + " messages (above); none is right");
+  if (messages > 0)
+    return failed("--validate: the validation layer gave " + std::to_string(messages) +
+                  " messages (above); none is right");
   return writeScreenshot();
 }
 
@@ -180,7 +192,8 @@ Result<bool> Editor::step() {
   // Whether the window shows what the settings say: scripts wait for it.
   const bool building = session_->background() == host::PluginEffect::Background::kBuilding;
   workspace_.facts["picture"] = building ? "building" : pictureWanted() ? "due" : "current";
-  const StateFile::Snapshot now{*session_, workspace_, *camera_, history_, camera_->view(fileCamera()), cameraIndex(), frames_, pictures_};
+  const StateFile::Snapshot now{*session_,     workspace_, *camera_, history_, camera_->view(fileCamera()),
+                                cameraIndex(), frames_,    pictures_};
   if (auto written = state_.update(now); !written) return written.error();
   return true;
 }
@@ -199,13 +212,15 @@ Result<void> Editor::scaleText() {
 }
 
 std::uint32_t Editor::cameraIndex() const {
-  return std::min(options_.camera, static_cast<std::uint32_t>(session_->level()->cameras(workspace_.seconds).size()) - 1);
+  return std::min(options_.camera,
+                  static_cast<std::uint32_t>(session_->level()->cameras(workspace_.seconds).size()) - 1);
 }
 
 scene::CameraView Editor::fileCamera() const { return session_->level()->cameras(workspace_.seconds)[cameraIndex()]; }
 
 Research::Viewport Editor::viewport() const {
-  return {camera_->view(fileCamera()), viewWidth_, viewHeight_, viewLow_, viewSize_, viewHovered_, moving_ || workspace_.playing};
+  return {camera_->view(fileCamera()),  viewWidth_, viewHeight_, viewLow_, viewSize_, viewHovered_,
+          moving_ || workspace_.playing};
 }
 
 void Editor::drawWindows() {
@@ -242,7 +257,9 @@ void Editor::drawViewport(float y, float width, float height) {
   viewWidth_ = std::clamp(static_cast<std::uint32_t>(std::max(width, 1.0f) * scale.x), 1u, limit);
   viewHeight_ = std::clamp(static_cast<std::uint32_t>(std::max(height, 1.0f) * scale.y), 1u, limit);
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("picture", {std::max(width, 1.0f), std::max(height, 1.0f)}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  ImGui::InvisibleButton(
+      "picture", {std::max(width, 1.0f), std::max(height, 1.0f)},
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   workspace_.place("viewport");
   viewHovered_ = ImGui::IsItemHovered();
   // Not in the frame of the press itself: the mouse's way to where it was pressed is no drag.
@@ -251,25 +268,31 @@ void Editor::drawViewport(float y, float width, float height) {
   const bool orbits = dragged && ImGui::IsMouseDown(ImGuiMouseButton_Middle) && !looking_;
   if (orbits && !orbiting_) orbitPivot_ = level_.pivot(*session_->level(), workspace_.seconds);
   orbiting_ = orbits;
-  ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(Texture::kPicture), low, {low.x + width, low.y + height});
+  ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(Texture::kPicture), low,
+                                       {low.x + width, low.y + height});
   viewLow_ = {low.x, low.y}, viewSize_ = {width, height};
   research_->drawOver(*ImGui::GetWindowDrawList(), workspace_, viewport());
-  level_.drawOver(*ImGui::GetWindowDrawList(), *session_, {camera_->view(fileCamera()), viewLow_, viewSize_, viewHovered_}, workspace_);
+  level_.drawOver(*ImGui::GetWindowDrawList(), *session_,
+                  {camera_->view(fileCamera()), viewLow_, viewSize_, viewHovered_}, workspace_);
   ImGui::End();
   ImGui::PopStyleVar();
 }
 
 void Editor::drawSide(float x, float y, float width, float height) {
   beginFixed("side", x, y, width, height, ImGuiWindowFlags_NoScrollWithMouse);
-  // The bar is in the margin, left of everything else.
+  // The bar is in the margin, left of everything else, where windows neither draw nor take the mouse.
   const ImVec2 content = ImGui::GetCursorPos();
+  ImGui::PushClipRect({x, y}, {x + width, y + height}, false);
   ImGui::SetCursorPos({0, 0});
-  dividing_ = dragBar("side edge", Edge::kLeft, width, scaled(kLeastSide), ImGui::GetIO().DisplaySize.x * kMostSide, settings_.layout.side, workspace_);
+  dividing_ = dragBar("side edge", Edge::kLeft, width, scaled(kLeastSide), ImGui::GetIO().DisplaySize.x * kMostSide,
+                      settings_.layout.side, workspace_);
+  ImGui::PopClipRect();
   ImGui::SetCursorPos(content);
   drawControls(*session_, *camera_, workspace_);
   ImGui::Separator();
   const float room = ImGui::GetContentRegionAvail().y, least = scaled(40), most = std::max(room - least, least);
-  const float figures = Layout::sizeOf(settings_.layout.figures, std::clamp(height * 0.42f, scaled(90), scaled(380)), least, most);
+  const float figures =
+      Layout::sizeOf(settings_.layout.figures, std::clamp(height * 0.42f, scaled(90), scaled(380)), least, most);
   ImGui::BeginChild("parameters", {0, std::max(room - figures, 1.0f)});
   parameters_.draw(session_->catalogue(), workspace_);
   ImGui::EndChild();
@@ -301,7 +324,9 @@ void Editor::steer() {
 
   for (const Command command : shortcuts_.pressed(*window_, io.WantTextInput)) perform(command);
   const bool control = window_->keyDown(GLFW_KEY_LEFT_CONTROL) || window_->keyDown(GLFW_KEY_RIGHT_CONTROL);
-  const auto key = [&](int code) { return window_->keyDown(code) && !io.WantTextInput; };  // asks first: a tap is forgotten once asked for
+  const auto key = [&](int code) {
+    return window_->keyDown(code) && !io.WantTextInput;
+  };  // asks first: a tap is forgotten once asked for
   const bool left = key(GLFW_KEY_A), right = key(GLFW_KEY_D), down = key(GLFW_KEY_Q), up = key(GLFW_KEY_E);
   const bool back = key(GLFW_KEY_S), ahead = key(GLFW_KEY_W);
 

@@ -1,5 +1,5 @@
-// The editor: one window, one session. Picture and window are drawn as two frames of the device: the picture only when it
-// is out of date, the window whenever something happens.
+// The editor: one window, one session. Picture and window are drawn as two frames of the device: the picture only when
+// it is out of date, the window whenever something happens.
 #pragma once
 
 #include <memory>
@@ -63,15 +63,15 @@ class Editor {
 
   // editor_commands.cpp: what the menu and the keys do
   void perform(Command command);
-  void watchEdits();                      ///< what changed in this frame becomes a step of the history
-  void restore(const EditState* state);   ///< null: nothing to undo or redo
+  void watchEdits();                     ///< what changed in this frame becomes a step of the history
+  void restore(const EditState* state);  ///< null: nothing to undo or redo
   EditState editState() const;
-  std::string levelText() const;          ///< the level as a sample's name or an absolute path
+  std::string levelText() const;  ///< the level as a sample's name or an absolute path
   void takeCapture();
-  void writeView();                       ///< what a viewer asked for
-  void noticeLevel();                     ///< what belongs to a level starts anew when it is another, whoever set it
+  void writeView();    ///< what a viewer asked for
+  void noticeLevel();  ///< what belongs to a level starts anew when it is another, whoever set it
   void openLevel(const std::string& level);
-  void browse(Command command);           ///< opens the file window for it
+  void browse(Command command);  ///< opens the file window for it
   void fileChosen(const std::filesystem::path& file);
   void drawComparison();
   void keepSettings();
@@ -93,8 +93,8 @@ class Editor {
   std::unique_ptr<ImGuiRenderer> renderer_;
   std::unique_ptr<render::GraphMemory> windowMemory_;
   std::unique_ptr<Research> research_;
-  gpu::Image picture_;             ///< the newest, as the window shows it
-  gpu::Buffer screenshot_;         ///< the window drawn last
+  gpu::Image picture_;      ///< the newest, as the window shows it
+  gpu::Buffer screenshot_;  ///< the window drawn last
   VkExtent2D screenshotSize_{0, 0};
 
   std::optional<FlyCamera> camera_;
@@ -103,34 +103,36 @@ class Editor {
   MemoryPanel memory_;
   LevelPanel level_;
   std::uint64_t levelsSeen_ = 0;
-  SceneEdits editsSeen_;                  ///< that levelEdits counts
+  SceneEdits editsSeen_;  ///< that levelEdits counts
   History history_;
   MenuBar menu_;
   Shortcuts shortcuts_;
   CapturePanel capture_;
   bool captureAsked_ = false;
-  std::optional<Error> levelLost_;        ///< neither a new level nor the one before could be set
-  std::string levelAsked_;                ///< taken between two frames
+  std::optional<Error> levelLost_;  ///< neither a new level nor the one before could be set
+  std::string levelAsked_;          ///< taken between two frames
   FileBrowser files_;
   Command filesFor_ = Command::kOpenLevel;
-  std::filesystem::path compared_;        ///< a preset; "" = none
+  std::filesystem::path compared_;  ///< a preset; "" = none
   SettingsFile settingsFile_;
   Settings settings_;
   bool historyOpen_ = false, helpOpen_ = false;
-  float textScale_ = 1;                   ///< of the font that is baked
-  bool dividing_ = false;                 ///< the bar beside the picture is dragged: its size waits until it is let go of
+  float textScale_ = 1;    ///< of the font that is baked
+  bool dividing_ = false;  ///< the bar beside the picture is dragged: its size waits until it is let go of
   Watcher watcher_;
   Workspace workspace_;
   std::unique_ptr<Stress> stress_;  ///< random use instead of a user's
   StateFile state_;
   std::uint32_t viewWidth_ = 0, viewHeight_ = 0;  ///< pixels of the viewport
   std::uint32_t frames_ = 0, pictures_ = 0;
-  glm::vec2 viewLow_{0}, viewSize_{0};            ///< of the viewport on the screen, points
+  glm::vec2 viewLow_{0}, viewSize_{0};  ///< of the viewport on the screen, points
   bool viewHovered_ = false, looking_ = false, orbiting_ = false;
-  glm::vec3 orbitPivot_{0};        ///< that the orbit under way goes round, world
-  bool moving_ = false;            ///< the camera was flown in the last frame
-  bool timesTaken_ = true;         ///< of the newest picture
-  double lastTime_ = 0;            ///< of the last step, seconds since the start
+  glm::vec3 orbitPivot_{0};     ///< that the orbit under way goes round, world
+  bool moving_ = false;         ///< the camera was flown in the last frame
+  bool timesTaken_ = true;      ///< of the newest picture
+  double lastTime_ = 0;         ///< of the last step, seconds since the start
+  double pictureTime_ = 0;      ///< of the newest picture
+  bool memoryReturned_ = true;  ///< since then
 };
 
 }  // namespace tyndall::editor

@@ -1,6 +1,8 @@
 // The editor's two frames: the picture into an image that is kept, and the window around it.
 #include <cstring>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include "editor.hpp"
@@ -11,19 +13,24 @@ namespace {
 
 /// Copies all of `from` into `to`: colour images of the same size and texel size.
 void addCopy(render::Graph& graph, const char* name, render::ImageRef from, render::ImageRef to) {
-  graph.pass(name, "editor").use(from, render::Use::kTransferRead).use(to, render::Use::kTransferWrite).run([from, to](render::PassContext& pass) {
-    const gpu::ImageDesc& size = pass.desc(from);
-    VkImageCopy region{};
-    region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.extent = {size.width, size.height, 1};
-    vkCmdCopyImage(pass.commands(), pass.image(from), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pass.image(to), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-  });
+  graph.pass(name, "editor")
+      .use(from, render::Use::kTransferRead)
+      .use(to, render::Use::kTransferWrite)
+      .run([from, to](render::PassContext& pass) {
+        const gpu::ImageDesc& size = pass.desc(from);
+        VkImageCopy region{};
+        region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.extent = {size.width, size.height, 1};
+        vkCmdCopyImage(pass.commands(), pass.image(from), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pass.image(to),
+                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+      });
 }
 
 }  // namespace
 
 bool Editor::pictureWanted() const {
-  const bool otherSize = !picture_ || (!dividing_ && (picture_.desc().width != viewWidth_ || picture_.desc().height != viewHeight_));
+  const bool otherSize =
+      !picture_ || (!dividing_ && (picture_.desc().width != viewWidth_ || picture_.desc().height != viewHeight_));
   return workspace_.changed || workspace_.playing || workspace_.continuous || options_.frames > 0 || otherSize ||
          session_->background() == host::PluginEffect::Background::kReady;
 }
@@ -37,7 +44,8 @@ Result<void> Editor::renderPicture() {
   request.debugView = workspace_.debugView;
   gpu::Image next;
   if (!picture_ || picture_.desc().width != viewWidth_ || picture_.desc().height != viewHeight_) {
-    gpu::ImageDesc desc{.name = "shown picture", .format = VK_FORMAT_R8G8B8A8_UNORM, .width = viewWidth_, .height = viewHeight_};
+    gpu::ImageDesc desc{
+        .name = "shown picture", .format = VK_FORMAT_R8G8B8A8_UNORM, .width = viewWidth_, .height = viewHeight_};
     desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     auto made = session_->device().createImage(desc);
     if (!made) return made.error();
@@ -47,7 +55,8 @@ Result<void> Editor::renderPicture() {
   render::Graph graph(session_->device(), session_->graphMemory());
   auto output = session_->buildFrame(graph, request);
   if (!output) return output.error();
-  const render::ImageRef shown = graph.import(target, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  const render::ImageRef shown =
+      graph.import(target, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   addCopy(graph, "keep picture", output->picture, shown);
   if (auto submitted = session_->submitFrame(graph); !submitted) return submitted;
   if (next) picture_ = std::move(next);
@@ -55,6 +64,8 @@ Result<void> Editor::renderPicture() {
     workspace_.tell("memory is short: the images before had to go before the new ones could be made", false);
   ++pictures_;
   timesTaken_ = false;
+  pictureTime_ = glfwGetTime();
+  memoryReturned_ = false;
   return {};
 }
 
@@ -66,13 +77,16 @@ Result<void> Editor::renderWindow() {
   if (!target) return target.error();
   const VkExtent2D extent = swapchain_->extent();
   render::Graph graph(device, *windowMemory_);
-  const render::ImageRef picture = graph.import(picture_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-  const gpu::ImageDesc size{.name = "window", .format = swapchain_->format(), .width = extent.width, .height = extent.height};
+  const render::ImageRef picture =
+      graph.import(picture_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  const gpu::ImageDesc size{
+      .name = "window", .format = swapchain_->format(), .width = extent.width, .height = extent.height};
   const render::ImageRef window = graph.image(size, "editor");
   if (auto added = renderer_->addPass(graph, *ImGui::GetDrawData(), picture, window); !added) return added;
   if (*target) {
     // The graph needs no view of it: it is only copied to.
-    const render::ImageRef image = graph.importRaw((*target)->image, VK_NULL_HANDLE, size, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
+    const render::ImageRef image = graph.importRaw((*target)->image, VK_NULL_HANDLE, size, VK_IMAGE_LAYOUT_UNDEFINED,
+                                                   VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
     addCopy(graph, "show window", window, image);
   }
   if (!options_.screenshot.empty())
@@ -94,12 +108,15 @@ Result<void> Editor::addScreenshot(render::Graph& graph, render::ImageRef window
     screenshot_ = made.take();
   }
   const render::BufferRef buffer = graph.import(screenshot_);
-  graph.pass("screenshot", "editor").use(window, render::Use::kTransferRead).use(buffer, render::Use::kTransferWrite).run(
-      [window, buffer, extent = screenshotSize_](render::PassContext& pass) {
+  graph.pass("screenshot", "editor")
+      .use(window, render::Use::kTransferRead)
+      .use(buffer, render::Use::kTransferWrite)
+      .run([window, buffer, extent = screenshotSize_](render::PassContext& pass) {
         VkBufferImageCopy region{};
         region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
         region.imageExtent = {extent.width, extent.height, 1};
-        vkCmdCopyImageToBuffer(pass.commands(), pass.image(window), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pass.buffer(buffer), 1, &region);
+        vkCmdCopyImageToBuffer(pass.commands(), pass.image(window), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                               pass.buffer(buffer), 1, &region);
       });
   return {};
 }

@@ -12,7 +12,7 @@ namespace tyndall::editor {
 
 /// What the user asks for in one frame.
 struct Flight {
-  glm::vec3 push{0};   ///< right, up (of the world), forward; each -1, 0 or 1
+  glm::vec3 push{0};  ///< right, up (of the world), forward; each -1, 0 or 1
   bool fast = false;
   glm::vec2 look{0};   ///< pixels that the mouse was dragged: right, down
   glm::vec2 orbit{0};  ///< the same, to go round `pivot`, which stays where it is in the picture

@@ -27,13 +27,18 @@ VkRect2D scissor(const ImDrawData& data, const ImVec4& clip, const gpu::ImageDes
     return static_cast<std::int32_t>(std::clamp((points - origin) * scale, 0.0f, static_cast<float>(limit)));
   };
   const ImVec2 scale = data.FramebufferScale;
-  const std::int32_t left = edge(clip.x, data.DisplayPos.x, scale.x, target.width), right = edge(clip.z, data.DisplayPos.x, scale.x, target.width);
-  const std::int32_t top = edge(clip.y, data.DisplayPos.y, scale.y, target.height), bottom = edge(clip.w, data.DisplayPos.y, scale.y, target.height);
-  return {{left, top}, {static_cast<std::uint32_t>(std::max(right - left, 0)), static_cast<std::uint32_t>(std::max(bottom - top, 0))}};
+  const std::int32_t left = edge(clip.x, data.DisplayPos.x, scale.x, target.width),
+                     right = edge(clip.z, data.DisplayPos.x, scale.x, target.width);
+  const std::int32_t top = edge(clip.y, data.DisplayPos.y, scale.y, target.height),
+                     bottom = edge(clip.w, data.DisplayPos.y, scale.y, target.height);
+  return {
+      {left, top},
+      {static_cast<std::uint32_t>(std::max(right - left, 0)), static_cast<std::uint32_t>(std::max(bottom - top, 0))}};
 }
 
 /// A host-visible buffer of at least `bytes`, with room to grow.
-Result<void> fit(gpu::Device& device, gpu::Buffer& buffer, const char* name, std::size_t bytes, VkBufferUsageFlags usage) {
+Result<void> fit(gpu::Device& device, gpu::Buffer& buffer, const char* name, std::size_t bytes,
+                 VkBufferUsageFlags usage) {
   if (buffer && buffer.size() >= bytes) return {};
   auto made = device.createBuffer({name, std::max<VkDeviceSize>(bytes * 2, 65536), usage, true});
   if (!made) return made.error();
@@ -70,7 +75,10 @@ Result<void> ImGuiRenderer::makeFont() {
   auto image = device_.createImage(desc);
   if (!image) return image.error();
   font_ = image.take();
-  if (auto done = device_.upload(font_, {reinterpret_cast<const std::byte*>(texels), std::size_t{4} * desc.width * desc.height}); !done) return done;
+  if (auto done = device_.upload(
+          font_, {reinterpret_cast<const std::byte*>(texels), std::size_t{4} * desc.width * desc.height});
+      !done)
+    return done;
   atlas.SetTexID(reinterpret_cast<ImTextureID>(Texture::kFont));
   atlas.ClearTexData();
   return {};
@@ -90,8 +98,13 @@ Result<void> ImGuiRenderer::makePipeline(VkFormat format) {
   desc.vertexAttributes = {{0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, pos)},
                            {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, uv)},
                            {2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(ImDrawVert, col)}};
-  gpu::ColorTarget over{format, true, VK_BLEND_FACTOR_SRC_ALPHA, VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA, VK_BLEND_FACTOR_ONE,
-                        VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA, VK_BLEND_OP_ADD};
+  gpu::ColorTarget over{format,
+                        true,
+                        VK_BLEND_FACTOR_SRC_ALPHA,
+                        VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+                        VK_BLEND_FACTOR_ONE,
+                        VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+                        VK_BLEND_OP_ADD};
   desc.colors = {over};
   auto made = gpu::createPipeline(device_, desc);
   if (!made) return made.error();
@@ -104,8 +117,11 @@ Result<void> ImGuiRenderer::copyGeometry(const ImDrawData& data) {
   Geometry& frame = geometry_[device_.submittedFrames() % geometry_.size()];
   const std::size_t vertexBytes = static_cast<std::size_t>(data.TotalVtxCount) * sizeof(ImDrawVert);
   const std::size_t indexBytes = static_cast<std::size_t>(data.TotalIdxCount) * sizeof(ImDrawIdx);
-  if (auto fits = fit(device_, frame.vertices, "editor vertices", vertexBytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT); !fits) return fits;
-  if (auto fits = fit(device_, frame.indices, "editor indices", indexBytes, VK_BUFFER_USAGE_INDEX_BUFFER_BIT); !fits) return fits;
+  if (auto fits = fit(device_, frame.vertices, "editor vertices", vertexBytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+      !fits)
+    return fits;
+  if (auto fits = fit(device_, frame.indices, "editor indices", indexBytes, VK_BUFFER_USAGE_INDEX_BUFFER_BIT); !fits)
+    return fits;
   std::byte* vertices = frame.vertices.mapped();
   std::byte* indices = frame.indices.mapped();
   for (const ImDrawList* list : std::span(data.CmdLists, static_cast<std::size_t>(data.CmdListsCount))) {
@@ -117,57 +133,62 @@ Result<void> ImGuiRenderer::copyGeometry(const ImDrawData& data) {
   return {};
 }
 
-Texture ImGuiRenderer::addTexture() { return std::exchange(nextTexture_, Texture{static_cast<std::intptr_t>(nextTexture_) + 1}); }
+Texture ImGuiRenderer::addTexture() {
+  return std::exchange(nextTexture_, Texture{static_cast<std::intptr_t>(nextTexture_) + 1});
+}
 
-Result<void> ImGuiRenderer::addPass(render::Graph& graph, const ImDrawData& data, render::ImageRef picture, render::ImageRef target) {
+Result<void> ImGuiRenderer::addPass(render::Graph& graph, const ImDrawData& data, render::ImageRef picture,
+                                    render::ImageRef target) {
   if (auto copied = copyGeometry(data); !copied) return copied;
   const Geometry& frame = geometry_[device_.submittedFrames() % geometry_.size()];
-  const render::ImageRef font = graph.import(font_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  const render::ImageRef font =
+      graph.import(font_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   struct Source {
     render::ImageRef image;
     VkSampler sampler;
   };
   std::map<Texture, Source> sources{{Texture::kFont, {font, sampler_}}, {Texture::kPicture, {picture, sampler_}}};
   for (const auto& [texture, shown] : textures_)
-    sources[texture] = {graph.import(*shown.image, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL), shown.nearest ? nearest_ : sampler_};
+    sources[texture] = {
+        graph.import(*shown.image, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL),
+        shown.nearest ? nearest_ : sampler_};
   render::Graph::Pass drawn = graph.pass("user interface", "editor");
   for (const auto& [texture, source] : sources) drawn.use(source.image, render::Use::kSampledGraphics);
-  drawn.use(target, render::Use::kColorWrite)
-      .run([this, &data, &frame, sources, target](render::PassContext& pass) {
-        const VkCommandBuffer commands = pass.commands();
-        const gpu::ImageDesc& size = pass.desc(target);
-        pass.beginRendering({{target, true, VkClearColorValue{{0.06f, 0.06f, 0.07f, 1}}}});
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.handle());
-        const VkBuffer vertices = frame.vertices.handle();
-        const VkDeviceSize zero = 0;
-        vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &zero);
-        vkCmdBindIndexBuffer(commands, frame.indices.handle(), 0, kIndexType);
-        const Push push{{2 / data.DisplaySize.x, 2 / data.DisplaySize.y},
-                        {-1 - data.DisplayPos.x * 2 / data.DisplaySize.x, -1 - data.DisplayPos.y * 2 / data.DisplaySize.y}};
-        vkCmdPushConstants(commands, pipeline_.layout(), VK_SHADER_STAGE_ALL, 0, sizeof push, &push);
-        ImTextureID bound = nullptr;
-        std::uint32_t firstIndex = 0, firstVertex = 0;
-        for (const ImDrawList* list : std::span(data.CmdLists, static_cast<std::size_t>(data.CmdListsCount))) {
-          for (const ImDrawCmd& command : list->CmdBuffer) {
-            TY_ASSERT(!command.UserCallback, "the editor's windows use no draw callbacks");
-            const VkRect2D part = scissor(data, command.ClipRect, size);
-            if (part.extent.width == 0 || part.extent.height == 0) continue;
-            vkCmdSetScissor(commands, 0, 1, &part);
-            if (const ImTextureID wanted = command.GetTexID(); wanted != bound) {
-              // A texture that was removed since its window was drawn shows the font's for this one frame.
-              const auto found = sources.find(static_cast<Texture>(reinterpret_cast<std::intptr_t>(wanted)));
-              const Source& source = found != sources.end() ? found->second : sources.at(Texture::kFont);
-              gpu::Descriptors(commands, pipeline_).sampled(0, pass.view(source.image), source.sampler).push();
-              bound = wanted;
-            }
-            vkCmdDrawIndexed(commands, command.ElemCount, 1, firstIndex + command.IdxOffset,
-                             static_cast<std::int32_t>(firstVertex + command.VtxOffset), 0);
-          }
-          firstIndex += static_cast<std::uint32_t>(list->IdxBuffer.Size);
-          firstVertex += static_cast<std::uint32_t>(list->VtxBuffer.Size);
+  drawn.use(target, render::Use::kColorWrite).run([this, &data, &frame, sources, target](render::PassContext& pass) {
+    const VkCommandBuffer commands = pass.commands();
+    const gpu::ImageDesc& size = pass.desc(target);
+    pass.beginRendering({{target, true, VkClearColorValue{{0.06f, 0.06f, 0.07f, 1}}}});
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.handle());
+    const VkBuffer vertices = frame.vertices.handle();
+    const VkDeviceSize zero = 0;
+    vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &zero);
+    vkCmdBindIndexBuffer(commands, frame.indices.handle(), 0, kIndexType);
+    const Push push{{2 / data.DisplaySize.x, 2 / data.DisplaySize.y},
+                    {-1 - data.DisplayPos.x * 2 / data.DisplaySize.x, -1 - data.DisplayPos.y * 2 / data.DisplaySize.y}};
+    vkCmdPushConstants(commands, pipeline_.layout(), VK_SHADER_STAGE_ALL, 0, sizeof push, &push);
+    ImTextureID bound = nullptr;
+    std::uint32_t firstIndex = 0, firstVertex = 0;
+    for (const ImDrawList* list : std::span(data.CmdLists, static_cast<std::size_t>(data.CmdListsCount))) {
+      for (const ImDrawCmd& command : list->CmdBuffer) {
+        TY_ASSERT(!command.UserCallback, "the editor's windows use no draw callbacks");
+        const VkRect2D part = scissor(data, command.ClipRect, size);
+        if (part.extent.width == 0 || part.extent.height == 0) continue;
+        vkCmdSetScissor(commands, 0, 1, &part);
+        if (const ImTextureID wanted = command.GetTexID(); wanted != bound) {
+          // A texture that was removed since its window was drawn shows the font's for this one frame.
+          const auto found = sources.find(static_cast<Texture>(reinterpret_cast<std::intptr_t>(wanted)));
+          const Source& source = found != sources.end() ? found->second : sources.at(Texture::kFont);
+          gpu::Descriptors(commands, pipeline_).sampled(0, pass.view(source.image), source.sampler).push();
+          bound = wanted;
         }
-        pass.endRendering();
-      });
+        vkCmdDrawIndexed(commands, command.ElemCount, 1, firstIndex + command.IdxOffset,
+                         static_cast<std::int32_t>(firstVertex + command.VtxOffset), 0);
+      }
+      firstIndex += static_cast<std::uint32_t>(list->IdxBuffer.Size);
+      firstVertex += static_cast<std::uint32_t>(list->VtxBuffer.Size);
+    }
+    pass.endRendering();
+  });
   return {};
 }
 

@@ -26,13 +26,14 @@ class ImGuiRenderer {
   gpu::Device& device() { return device_; }
   /// The current context's font atlas has changed. Not between the begin and end of a frame.
   Result<void> makeFont();
-  /// Another texture: what `image` holds in SHADER_READ_ONLY whenever a pass is added, until it is removed. `nearest`: texels are squares.
+  /// Another texture: what `image` holds in SHADER_READ_ONLY whenever a pass is added, until it is removed. `nearest`:
+  /// texels are squares.
   Texture addTexture();
   void setTexture(Texture texture, const gpu::Image& image, bool nearest) { textures_[texture] = {&image, nearest}; }
   void removeTexture(Texture texture) { textures_.erase(texture); }
 
-  /// Adds the pass "user interface", which clears `target` and draws `data` over it. Copies the vertices at once: call it
-  /// between the device's begin and end of a frame. `picture` is what Texture::kPicture shows.
+  /// Adds the pass "user interface", which clears `target` and draws `data` over it. Copies the vertices at once: call
+  /// it between the device's begin and end of a frame. `picture` is what Texture::kPicture shows.
   Result<void> addPass(render::Graph& graph, const ImDrawData& data, render::ImageRef picture, render::ImageRef target);
 
  private:

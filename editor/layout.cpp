@@ -27,7 +27,8 @@ float Layout::smallerText(float scale) {
 
 bool isSound(const Layout& layout) {
   const auto size = [](float points) { return std::isfinite(points) && points >= 0; };
-  const bool text = layout.textScale == 0 || (layout.textScale >= kTextScales.front() && layout.textScale <= kTextScales.back());
+  const bool text =
+      layout.textScale == 0 || (layout.textScale >= kTextScales.front() && layout.textScale <= kTextScales.back());
   return size(layout.side) && size(layout.figures) && size(layout.fields) && text;
 }
 

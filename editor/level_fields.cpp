@@ -44,11 +44,13 @@ bool scaleField(const scene::Scene& scene, int node, NodeEdit& edit, Workspace& 
   }
   glm::vec3 wanted = edit.scale;
   ImGui::SetNextItemWidth(-scaled(kRoom));
-  const bool changed = ImGui::DragFloat3("scale", &wanted.x, 0.01f, -kMaxScale, kMaxScale, "%.3f", ImGuiSliderFlags_AlwaysClamp);
+  const bool changed =
+      ImGui::DragFloat3("scale", &wanted.x, 0.01f, -kMaxScale, kMaxScale, "%.3f", ImGuiSliderFlags_AlwaysClamp);
   workspace.place("node scale");
   if (!changed) return false;
   for (int axis = 0; axis < 3; ++axis)
-    if (wanted[axis] != edit.scale[axis]) edit.scale[axis] = std::copysign(std::clamp(std::abs(wanted[axis]), kMinScale, kMaxScale), edit.scale[axis]);
+    if (wanted[axis] != edit.scale[axis])
+      edit.scale[axis] = std::copysign(std::clamp(std::abs(wanted[axis]), kMinScale, kMaxScale), edit.scale[axis]);
   return true;
 }
 

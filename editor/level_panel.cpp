@@ -62,14 +62,17 @@ void LevelPanel::reset(scene::Scene& scene) {
   gizmo_.release();
 }
 
-void LevelPanel::draw(app::Session& session, std::optional<std::uint32_t> camera, float& fieldsHeight, Workspace& workspace) {
+void LevelPanel::draw(app::Session& session, std::optional<std::uint32_t> camera, float& fieldsHeight,
+                      Workspace& workspace) {
   shown_ = true;
   edits_ = editsOf(session.level()->scene, file_);
-  workspace.facts["level.selected"] = !selected_                            ? "nothing"
-                                      : selected_->kind == Kind::kMaterial ? "material " + std::to_string(selected_->index)
-                                                                            : "node " + std::to_string(selected_->index);
+  workspace.facts["level.selected"] = !selected_ ? "nothing"
+                                      : selected_->kind == Kind::kMaterial
+                                          ? "material " + std::to_string(selected_->index)
+                                          : "node " + std::to_string(selected_->index);
   workspace.facts["level.edits"] = std::to_string(edits_.lights.size() + edits_.nodes.size() + edits_.materials.size());
-  const float height = ImGui::GetContentRegionAvail().y, least = scaled(30), most = std::max(height - scaled(40), least);
+  const float height = ImGui::GetContentRegionAvail().y, least = scaled(30),
+              most = std::max(height - scaled(40), least);
   const float fieldsNow = Layout::sizeOf(fieldsHeight, height / 2, least, most);
   ImGui::BeginChild("tree", {0, selected_ ? std::max(height - fieldsNow, 1.0f) : height});
   tree(session, camera, workspace);

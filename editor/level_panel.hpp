@@ -43,7 +43,7 @@ class LevelPanel {
   std::vector<int> roots_;
   std::optional<Selection> selected_;
   std::optional<glm::vec2> pressedAt_;  ///< where the mouse was pressed on the picture and on nothing else
-  bool shown_ = false;  ///< the tree was drawn in this frame: marks are there
+  bool shown_ = false;                  ///< the tree was drawn in this frame: marks are there
   Gizmo gizmo_;
 };
 

@@ -1,4 +1,5 @@
-// The program `tyndall-editor`. Exit status: 0 done; 1 it failed; 2 the call was wrong. A failure is one line on stderr.
+// The program `tyndall-editor`. Exit status: 0 done; 1 it failed; 2 the call was wrong. A failure is one line on
+// stderr.
 #include <csignal>
 #include <cstdio>
 #include <exception>

@@ -36,7 +36,10 @@ void MemoryPanel::table(std::vector<app::ResourceMemory> lines, Workspace& works
   if (!ImGui::BeginTable("resources", 4, flags, ImGui::GetContentRegionAvail())) return;
   const float number = ImGui::CalcTextSize("00000.000").x;
   ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn("MiB", ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_DefaultSort | ImGuiTableColumnFlags_PreferSortDescending, number, kBytes);
+  ImGui::TableSetupColumn(
+      "MiB",
+      ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_DefaultSort | ImGuiTableColumnFlags_PreferSortDescending,
+      number, kBytes);
   ImGui::TableSetupColumn("resource", ImGuiTableColumnFlags_WidthStretch, 3, kName);
   ImGui::TableSetupColumn("used by", ImGuiTableColumnFlags_WidthStretch, 3, kLives);
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch, 4, kWhat);
@@ -44,7 +47,8 @@ void MemoryPanel::table(std::vector<app::ResourceMemory> lines, Workspace& works
   if (const ImGuiTableSortSpecs* order = ImGui::TableGetSortSpecs(); order && order->SpecsCount > 0) {
     const ImGuiTableColumnSortSpecs& by = order->Specs[0];
     std::stable_sort(lines.begin(), lines.end(), [&by](const auto& a, const auto& b) {
-      return by.SortDirection == ImGuiSortDirection_Descending ? before(b, a, by.ColumnUserID) : before(a, b, by.ColumnUserID);
+      return by.SortDirection == ImGuiSortDirection_Descending ? before(b, a, by.ColumnUserID)
+                                                               : before(a, b, by.ColumnUserID);
     });
   }
   for (const app::ResourceMemory& line : lines) {
@@ -57,7 +61,8 @@ void MemoryPanel::table(std::vector<app::ResourceMemory> lines, Workspace& works
     ImGui::TextUnformatted(line.name.c_str());
     if (ImGui::IsItemVisible()) workspace.place("memory of " + line.name);
     if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("%s%s%s\n%s\n%s", line.owner.c_str(), line.owner.empty() ? "" : ": ", line.name.c_str(), line.what.c_str(), lives.c_str());
+      ImGui::SetTooltip("%s%s%s\n%s\n%s", line.owner.c_str(), line.owner.empty() ? "" : ": ", line.name.c_str(),
+                        line.what.c_str(), lives.c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(lives.c_str());
     ImGui::TableNextColumn();
@@ -72,9 +77,12 @@ void MemoryPanel::draw(app::Session& session, Workspace& workspace) {
   summary("they would take, each on its own", session.statistics().transientBytesUnshared);
   summary("of these the effect's", session.effect().memoryBytes());
   const std::vector<std::uint64_t> lights = session.effect().lightMemoryBytes();
-  for (std::size_t i = 0; i < lights.size(); ++i) summary(("of that used for light " + std::to_string(i)).c_str(), lights[i]);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    summary(("of that used for light " + std::to_string(i)).c_str(), lights[i]);
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##memory filter", "filter: name, pass, format", filter_.InputBuf, sizeof filter_.InputBuf)) filter_.Build();
+  if (ImGui::InputTextWithHint("##memory filter", "filter: name, pass, format", filter_.InputBuf,
+                               sizeof filter_.InputBuf))
+    filter_.Build();
   workspace.place("memory filter");
   std::vector<app::ResourceMemory> lines = app::passingMemory(session), kept = app::keptMemory(session.device());
   workspace.facts["memory.resources"] = std::to_string(lines.size() + kept.size());

@@ -36,7 +36,9 @@ MenuChoice MenuBar::draw(const History& history, const Settings& settings, Works
   MenuChoice choice;
   if (!ImGui::BeginMainMenuBar()) return choice;
   height_ = ImGui::GetWindowSize().y;
-  const auto add = [&](Command command, bool enabled = true, bool ticked = false) { item(command, enabled, ticked, choice, workspace); };
+  const auto add = [&](Command command, bool enabled = true, bool ticked = false) {
+    item(command, enabled, ticked, choice, workspace);
+  };
   if (menu("File", workspace)) {
     add(Command::kOpenLevel);
     if (ImGui::BeginMenu("Samples")) {

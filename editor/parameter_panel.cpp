@@ -26,10 +26,12 @@ std::string titleOf(std::string group) {
 std::vector<std::string> groupsOf(const params::Table& table) {
   std::vector<std::string> groups;
   for (const char* known : {"volumetrics", "medium", "shadows", "view"})
-    if (std::any_of(table.parameters().begin(), table.parameters().end(), [&](const auto& p) { return groupOf(p.id) == known; }))
+    if (std::any_of(table.parameters().begin(), table.parameters().end(),
+                    [&](const auto& p) { return groupOf(p.id) == known; }))
       groups.push_back(known);
   for (const params::Parameter& parameter : table.parameters())
-    if (const std::string group = groupOf(parameter.id); std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
+    if (const std::string group = groupOf(parameter.id); std::find(groups.begin(), groups.end(), group) == groups.end())
+      groups.push_back(group);
   return groups;
 }
 
@@ -43,16 +45,19 @@ bool isRead(const app::Catalogue& catalogue, const params::Parameter& parameter)
   const std::string enabled = plugin.id() + ".enabled";
   if (parameter.id == enabled) return true;
   if (table.find(enabled) && table.value(enabled) == 0) return false;
-  if (plugin.selector() < plugin.parameters().size() && plugin.parameters()[plugin.selector()].id == parameter.id) return true;
+  if (plugin.selector() < plugin.parameters().size() && plugin.parameters()[plugin.selector()].id == parameter.id)
+    return true;
   const host::TechniqueInfo* technique = catalogue.technique();
-  return technique && std::find(technique->reads.begin(), technique->reads.end(), parameter.id) != technique->reads.end();
+  return technique &&
+         std::find(technique->reads.begin(), technique->reads.end(), parameter.id) != technique->reads.end();
 }
 
 }  // namespace
 
 bool ParameterPanel::found(const params::Parameter& parameter) const {
   const std::string sought = lower(sought_.data());
-  return sought.empty() || lower(parameter.id + "\n" + parameter.name + "\n" + parameter.doc).find(sought) != std::string::npos;
+  return sought.empty() ||
+         lower(parameter.id + "\n" + parameter.name + "\n" + parameter.doc).find(sought) != std::string::npos;
 }
 
 void ParameterPanel::header(app::Catalogue& catalogue, Workspace& workspace) {
@@ -70,7 +75,8 @@ void ParameterPanel::header(app::Catalogue& catalogue, Workspace& workspace) {
   ImGui::SameLine();
   if (std::exchange(focusSearch_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##search", "search (Ctrl+F)", sought_.data(), sought_.size(), ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::InputTextWithHint("##search", "search (Ctrl+F)", sought_.data(), sought_.size(),
+                           ImGuiInputTextFlags_AutoSelectAll);
   workspace.place("search");
   ImGui::PopStyleVar();
 }
@@ -89,7 +95,8 @@ void ParameterPanel::draw(app::Catalogue& catalogue, Workspace& workspace) {
     }
     if (rows.empty()) continue;
     shown += rows.size();
-    const std::string title = titleOf(group) + (changed ? "  (" + std::to_string(changed) + " changed)" : "") + "###" + group;
+    const std::string title =
+        titleOf(group) + (changed ? "  (" + std::to_string(changed) + " changed)" : "") + "###" + group;
     if (!ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) continue;
     if (!ImGui::BeginTable(group.c_str(), 3, ImGuiTableFlags_SizingStretchProp)) continue;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.45f);
@@ -98,7 +105,8 @@ void ParameterPanel::draw(app::Catalogue& catalogue, Workspace& workspace) {
     for (const params::Parameter* parameter : rows) row(catalogue, *parameter, workspace);
     ImGui::EndTable();
   }
-  if (shown == 0) ImGui::TextColored(kDimColor, "%s", changedOnly_ ? "no changed parameter matches" : "no parameter matches");
+  if (shown == 0)
+    ImGui::TextColored(kDimColor, "%s", changedOnly_ ? "no changed parameter matches" : "no parameter matches");
 }
 
 void ParameterPanel::row(app::Catalogue& catalogue, const params::Parameter& parameter, Workspace& workspace) {
@@ -125,8 +133,10 @@ void ParameterPanel::row(app::Catalogue& catalogue, const params::Parameter& par
   const auto value = parameterWidget(parameter, waits ? pending_->value : table.value(parameter.id), workspace);
   workspace.place(parameter.id);
   const bool slides = parameter.type == params::Type::kInt || parameter.type == params::Type::kFloat;
-  if (value && slides && parameter.structural) pending_ = Pending{parameter.id, *value};
-  else if (value) set(table, parameter.id, *value, workspace);
+  if (value && slides && parameter.structural)
+    pending_ = Pending{parameter.id, *value};
+  else if (value)
+    set(table, parameter.id, *value, workspace);
   if (pending_ && pending_->id == parameter.id && !ImGui::IsItemActive())
     set(table, parameter.id, std::exchange(pending_, std::nullopt)->value, workspace);
   ImGui::PopStyleVar();
@@ -134,9 +144,11 @@ void ParameterPanel::row(app::Catalogue& catalogue, const params::Parameter& par
 
   ImGui::TableNextColumn();
   if (changed) {
-    if (ImGui::ArrowButton("##reset", ImGuiDir_Left) || labelDoubleClicked) set(table, parameter.id, parameter.defaultValue, workspace);
+    if (ImGui::ArrowButton("##reset", ImGuiDir_Left) || labelDoubleClicked)
+      set(table, parameter.id, parameter.defaultValue, workspace);
     workspace.place("reset " + parameter.id);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to %s", params::toText(parameter, parameter.defaultValue).c_str());
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("back to %s", params::toText(parameter, parameter.defaultValue).c_str());
   }
   ImGui::PopID();
 }

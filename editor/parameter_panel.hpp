@@ -25,8 +25,8 @@ class ParameterPanel {
   void row(app::Catalogue& catalogue, const params::Parameter& parameter, Workspace& workspace);
   void set(params::Table& table, const std::string& id, double value, Workspace& workspace);
 
-  /// A slider being dragged whose parameter is structural: new images each frame would be slow, so the value is taken when
-  /// the mouse lets go.
+  /// A slider being dragged whose parameter is structural: new images each frame would be slow, so the value is taken
+  /// when the mouse lets go.
   struct Pending {
     std::string id;
     double value = 0;

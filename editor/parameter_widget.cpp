@@ -11,7 +11,9 @@ namespace {
 
 using params::Parameter;
 
-bool isBuilt(const Parameter& parameter, std::size_t choice) { return parameter.built.empty() || parameter.built.at(choice); }
+bool isBuilt(const Parameter& parameter, std::size_t choice) {
+  return parameter.built.empty() || parameter.built.at(choice);
+}
 
 std::optional<double> checkbox(const Parameter& parameter, double value) {
   bool on = value != 0;
@@ -24,11 +26,13 @@ std::optional<double> checkbox(const Parameter& parameter, double value) {
 
 std::optional<double> combo(const Parameter& parameter, double value, Workspace& workspace) {
   std::optional<double> chosen;
-  if (!ImGui::BeginCombo("##value", params::toText(parameter, value).c_str(), ImGuiComboFlags_HeightLarge)) return chosen;
+  if (!ImGui::BeginCombo("##value", params::toText(parameter, value).c_str(), ImGuiComboFlags_HeightLarge))
+    return chosen;
   for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
     const bool built = isBuilt(parameter, i), current = static_cast<double>(i) == value;
     const std::string label = parameter.choices[i] + (built ? "" : "  (not built yet)");
-    if (ImGui::Selectable(label.c_str(), current, built ? 0 : ImGuiSelectableFlags_Disabled)) chosen = static_cast<double>(i);
+    if (ImGui::Selectable(label.c_str(), current, built ? 0 : ImGuiSelectableFlags_Disabled))
+      chosen = static_cast<double>(i);
     workspace.place(parameter.id + "=" + parameter.choices[i]);
     if (current) ImGui::SetItemDefaultFocus();
   }
@@ -40,11 +44,15 @@ std::optional<double> slider(const Parameter& parameter, double value) {
   const ImGuiSliderFlags flags = parameter.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
   if (parameter.type == params::Type::kInt) {
     auto whole = static_cast<std::int64_t>(std::llround(value));
-    const auto low = static_cast<std::int64_t>(parameter.builtMin), high = static_cast<std::int64_t>(parameter.builtMax);
-    if (ImGui::SliderScalar("##value", ImGuiDataType_S64, &whole, &low, &high, nullptr, flags)) return static_cast<double>(whole);
+    const auto low = static_cast<std::int64_t>(parameter.builtMin),
+               high = static_cast<std::int64_t>(parameter.builtMax);
+    if (ImGui::SliderScalar("##value", ImGuiDataType_S64, &whole, &low, &high, nullptr, flags))
+      return static_cast<double>(whole);
     return std::nullopt;
   }
-  if (ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &parameter.builtMin, &parameter.builtMax, "%.4g", flags)) return value;
+  if (ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &parameter.builtMin, &parameter.builtMax, "%.4g",
+                          flags))
+    return value;
   return std::nullopt;
 }
 
@@ -70,9 +78,11 @@ void parameterTooltip(const Parameter& parameter, bool isRead) {
   const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
   ImGui::Text("default %s%s", params::toText(parameter, parameter.defaultValue).c_str(), unit.c_str());
   if (parameter.type == params::Type::kInt || parameter.type == params::Type::kFloat) {
-    ImGui::Text("%s to %s%s", params::toText(parameter, parameter.min).c_str(), params::toText(parameter, parameter.max).c_str(), unit.c_str());
+    ImGui::Text("%s to %s%s", params::toText(parameter, parameter.min).c_str(),
+                params::toText(parameter, parameter.max).c_str(), unit.c_str());
     if (parameter.builtMin > parameter.min || parameter.builtMax < parameter.max)
-      ImGui::Text("built so far: %s to %s", params::toText(parameter, parameter.builtMin).c_str(), params::toText(parameter, parameter.builtMax).c_str());
+      ImGui::Text("built so far: %s to %s", params::toText(parameter, parameter.builtMin).c_str(),
+                  params::toText(parameter, parameter.builtMax).c_str());
   }
   if (!isRead) ImGui::TextUnformatted("Not read by the technique chosen.");
   ImGui::PopTextWrapPos();

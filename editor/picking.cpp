@@ -22,7 +22,8 @@ bool hitsBox(const Ray& ray, const scene::Bounds& box, float most) {
       if (ray.origin[axis] < box.min[axis] || ray.origin[axis] > box.max[axis]) return false;
       continue;
     }
-    float a = (box.min[axis] - ray.origin[axis]) / ray.direction[axis], b = (box.max[axis] - ray.origin[axis]) / ray.direction[axis];
+    float a = (box.min[axis] - ray.origin[axis]) / ray.direction[axis],
+          b = (box.max[axis] - ray.origin[axis]) / ray.direction[axis];
     if (a > b) std::swap(a, b);
     near = std::max(near, a), far = std::min(far, b);
   }
@@ -30,7 +31,8 @@ bool hitsBox(const Ray& ray, const scene::Bounds& box, float most) {
   return near <= far * (1 + 1e-5f);
 }
 
-/// Möller and Trumbore 1997, "Fast, minimum storage ray/triangle intersection": the parameter along the ray, both sides.
+/// Möller and Trumbore 1997, "Fast, minimum storage ray/triangle intersection": the parameter along the ray, both
+/// sides.
 std::optional<float> triangleHit(const Ray& ray, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const glm::vec3 ab = b - a, ac = c - a, p = glm::cross(ray.direction, ac);
   const float determinant = glm::dot(ab, p);
@@ -45,8 +47,8 @@ std::optional<float> triangleHit(const Ray& ray, const glm::vec3& a, const glm::
 
 }  // namespace
 
-std::optional<int> nodeUnder(const scene::Scene& scene, const std::vector<glm::mat4>& worldFromNode, const glm::vec3& origin,
-                             const glm::vec3& direction) {
+std::optional<int> nodeUnder(const scene::Scene& scene, const std::vector<glm::mat4>& worldFromNode,
+                             const glm::vec3& origin, const glm::vec3& direction) {
   std::optional<int> found;
   // An affine map keeps the parameter along the ray, so that hits of different nodes compare.
   float nearest = std::numeric_limits<float>::max();
@@ -56,10 +58,12 @@ std::optional<int> nodeUnder(const scene::Scene& scene, const std::vector<glm::m
     if (!(std::abs(glm::determinant(glm::mat3(world))) > 0)) continue;  // scaled to nothing
     const glm::mat4 local = glm::affineInverse(world);
     const Ray ray{glm::vec3(local * glm::vec4(origin, 1)), glm::mat3(local) * direction};
-    for (const scene::Primitive& primitive : scene.meshes[static_cast<std::size_t>(scene.nodes[node].mesh)].primitives) {
+    for (const scene::Primitive& primitive :
+         scene.meshes[static_cast<std::size_t>(scene.nodes[node].mesh)].primitives) {
       if (primitive.bounds.empty() || !hitsBox(ray, primitive.bounds, nearest)) continue;
       for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-        const auto hit = triangleHit(ray, primitive.vertices[primitive.indices[i]].position, primitive.vertices[primitive.indices[i + 1]].position,
+        const auto hit = triangleHit(ray, primitive.vertices[primitive.indices[i]].position,
+                                     primitive.vertices[primitive.indices[i + 1]].position,
                                      primitive.vertices[primitive.indices[i + 2]].position);
         if (hit && *hit < nearest) nearest = *hit, found = static_cast<int>(node);
       }

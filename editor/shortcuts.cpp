@@ -52,7 +52,8 @@ std::vector<Command> Shortcuts::pressed(const Window& window, bool typing) {
   // flight asks for) only with Ctrl.
   for (const Shortcut& shortcut : kShortcuts) {
     const bool flies = shortcut.key == GLFW_KEY_S || shortcut.key == GLFW_KEY_D || shortcut.key == GLFW_KEY_Q;
-    if (shortcut.key != 0 && (control || !flies) && !now.contains(shortcut.key)) now[shortcut.key] = window.keyDown(shortcut.key);
+    if (shortcut.key != 0 && (control || !flies) && !now.contains(shortcut.key))
+      now[shortcut.key] = window.keyDown(shortcut.key);
   }
   std::vector<Command> commands;
   for (const Shortcut& shortcut : kShortcuts) {

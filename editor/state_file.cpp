@@ -20,17 +20,23 @@ Result<void> StateFile::update(const Snapshot& now) {
   json["playing"] = now.workspace.playing;
   json["debug_view"] = now.workspace.debugView;
   json["message"] = now.workspace.message;
-  json["camera"] = {{"index", now.cameraIndex}, {"flown", now.camera.flown()}, {"position", vector(pose[3])}, {"forward", vector(-pose[2])}, {"speed", now.camera.speed()}};
+  json["camera"] = {{"index", now.cameraIndex},
+                    {"flown", now.camera.flown()},
+                    {"position", vector(pose[3])},
+                    {"forward", vector(-pose[2])},
+                    {"speed", now.camera.speed()}};
   json["history"] = {{"steps", now.history.steps().size()}, {"present", now.history.present()}};
   if (!now.history.steps().empty()) json["history"]["label"] = now.history.steps()[now.history.present()].label;
   const params::Table& table = now.session.table();
   for (const params::Parameter& parameter : table.parameters())
     json["settings"][parameter.id] = params::toText(parameter, table.value(parameter.id));
   for (const auto& [name, value] : now.workspace.facts) json["facts"][name] = value;
-  for (const auto& [name, rect] : now.workspace.widgets) json["widgets"][name] = {rect.x, rect.y, rect.width, rect.height};
+  for (const auto& [name, rect] : now.workspace.widgets)
+    json["widgets"][name] = {rect.x, rect.y, rect.width, rect.height};
   std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   if (text == written_) return {};
-  if (auto done = writeTextAtomically(path_, text); !done) return Error{"--print-state " + done.error().message, done.error().kind};
+  if (auto done = writeTextAtomically(path_, text); !done)
+    return Error{"--print-state " + done.error().message, done.error().kind};
   written_ = std::move(text);
   return {};
 }

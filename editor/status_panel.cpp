@@ -3,14 +3,18 @@
 namespace tyndall::editor {
 void drawStatus(app::Session& session, const Workspace& workspace, std::uint32_t width, std::uint32_t height) {
   const auto& failure = session.effect().failure();
-  if (failure) ImGui::TextColored(kErrorColor, "%s", failure->message.c_str());
+  if (failure)
+    ImGui::TextColored(kErrorColor, "%s", failure->message.c_str());
   else if (session.background() != host::PluginEffect::Background::kIdle)
     ImGui::TextUnformatted("building what the new settings need; the picture is of those before");
-  else if (workspace.messageIsError) ImGui::TextColored(kErrorColor, "%s", workspace.message.c_str());
-  else if (!workspace.message.empty()) ImGui::TextUnformatted(workspace.message.c_str());
+  else if (workspace.messageIsError)
+    ImGui::TextColored(kErrorColor, "%s", workspace.message.c_str());
+  else if (!workspace.message.empty())
+    ImGui::TextUnformatted(workspace.message.c_str());
   else
-    ImGui::Text("%u x %u on %s   WASD QE fly, right drag looks, Shift faster, wheel speed, F file's camera, Ctrl+Q quits", width, height,
-                session.device().info().name.c_str());
+    ImGui::Text(
+        "%u x %u on %s   WASD QE fly, right drag looks, Shift faster, wheel speed, F file's camera, Ctrl+Q quits",
+        width, height, session.device().info().name.c_str());
   if (ImGui::IsItemHovered() && (failure || !workspace.message.empty()))
     ImGui::SetTooltip("%s", failure ? failure->message.c_str() : workspace.message.c_str());
 }

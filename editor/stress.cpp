@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
-#include <malloc.h>
-#include <unistd.h>
-
+#include "base/memory.hpp"
+#include "memory_growth.hpp"
 #include "node_motion.hpp"
 #include "stress_level.hpp"
 
@@ -20,11 +18,11 @@ constexpr std::pair<std::uint32_t, std::uint32_t> kHomeSize{320, 200};
 constexpr std::uint32_t kQuietFrames =
     30;  // drawn at home with nothing left to build, so that what was let go of is gone (render/pipeline_library.cpp)
 constexpr std::uint32_t kMostQuietFrames = 5000;  // for a build that never ends
-// Growth from the end of the warm-up to the end. Of images and buffers: staging memory grows to the largest level. Of the process: on a device
-// whose driver compiles into it, heaps are torn and code is kept for a while, so that there what is allocated counts, not what is resident.
+// Growth from the warm-up to the end (growthOf()). Of images and buffers: staging memory grows to the largest level. Of
+// the process: heaps are torn, and a driver for the CPU keeps code for a while.
 constexpr double kDeviceGrowthMiB = 16, kResidentGrowthMiB = 128, kAllocatedGrowthMiB = 64;
 constexpr std::uint32_t kLongRun = 1000;  // steps from which on a line is printed at each return
-constexpr std::size_t kPrinted = 8;  // different texts of a list
+constexpr std::size_t kPrinted = 8;       // different texts of a list
 
 /// Maps so small that drawing is cheap, and nothing on automatic.
 constexpr std::pair<const char*, const char*> kCheap[] = {{"volumetrics.columns", "64"},
@@ -34,18 +32,6 @@ constexpr std::pair<const char*, const char*> kCheap[] = {{"volumetrics.columns"
                                                           {"volumetrics.prefix_scheme", "row"}};
 
 double mebibytes(std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
-
-std::uint64_t residentBytes() {
-  std::uint64_t all = 0, resident = 0;
-  std::ifstream("/proc/self/statm") >> all >> resident;
-  return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-}
-
-/// Of the C library's heaps, what somebody holds.
-std::uint64_t allocatedBytes() {
-  const struct mallinfo2 heaps = ::mallinfo2();
-  return heaps.uordblks + heaps.hblkhd;
-}
 
 void printList(const char* title, const std::map<std::string, std::uint32_t>& list) {
   if (list.empty()) return;
@@ -79,6 +65,7 @@ Result<bool> Stress::act(const Stage& stage) {
     quiet_ = stage.session.background() == Background::kIdle ? quiet_ + 1 : 0;
     if (quiet_ < kQuietFrames && pause_ < kMostQuietFrames) return true;
     if (quiet_ < kQuietFrames) unexpected_.push_back("the background build does not end");
+    returnFreeMemory();  // as the editor does when nobody uses it
     atHome_.push_back({residentBytes(), allocatedBytes(), stage.session.device().allocatedBytes()});
     if (steps_ >= kLongRun)
       std::fprintf(stderr, "tyndall: stress: step %u of %u, %.0f MiB resident, %.0f MiB allocated\n", step_, steps_,
@@ -274,33 +261,36 @@ void Stress::listen(const Stage& stage) {
 
 Result<void> Stress::report(const Stage& stage) {
   const std::uint32_t messages = stage.session.device().validationMessages();
-  const Memory& start =
-      atHome_[std::min<std::size_t>(atHome_.size() - 1, std::max<std::size_t>(1, atHome_.size() / 5))];
-  const Memory& end = atHome_.back();
-  const double resident = mebibytes(end.resident) - mebibytes(start.resident),
-               allocated = mebibytes(end.allocated) - mebibytes(start.allocated),
-               device = mebibytes(end.device) - mebibytes(start.device);
+  const auto growth = [this](std::uint64_t Memory::*bytes) {
+    std::vector<double> readings;
+    for (const Memory& memory : atHome_) readings.push_back(mebibytes(memory.*bytes));
+    return growthOf(readings);
+  };
+  const MemoryGrowth resident = growth(&Memory::resident), allocated = growth(&Memory::allocated),
+                     device = growth(&Memory::device);
   std::printf("stress: %u steps, %u pictures, %u faults\n", step_, stage.pictures, faults_.happened());
   printList("steps by kind:", done_);
   printList("errors shown:", refusals_);
   std::printf("validation messages: %u\n", messages);
-  std::printf("memory of the process, MiB: %.0f after the warm-up, %.0f at the end (%+.0f)\n",
-              mebibytes(start.resident), mebibytes(end.resident), resident);
-  std::printf("memory that is allocated, MiB: %.0f after the warm-up, %.0f at the end (%+.0f)\n",
-              mebibytes(start.allocated), mebibytes(end.allocated), allocated);
-  std::printf("memory of images and buffers, MiB: %.2f after the warm-up, %.2f at the end (%+.2f)\n",
-              mebibytes(start.device), mebibytes(end.device), device);
+  const auto print = [](const char* what, const MemoryGrowth& g) {
+    std::printf("memory %s, MiB: %.2f after the warm-up, %.2f at the end (%+.2f)\n", what, g.before, g.after,
+                g.grown());
+  };
+  print("of the process", resident);
+  print("that is allocated", allocated);
+  print("of images and buffers", device);
   std::printf("  at each return to the defaults:");
-  for (const Memory& memory : atHome_) std::printf(" %.0f/%.0f", mebibytes(memory.resident), mebibytes(memory.allocated));
+  for (const Memory& memory : atHome_)
+    std::printf(" %.0f/%.0f", mebibytes(memory.resident), mebibytes(memory.allocated));
   std::printf("\n");
   std::printf("longest frame: %.0f ms, after %s\n", longestMs_, longestAfter_.c_str());
   std::string wrong;
   const auto add = [&wrong](const std::string& what) { wrong += (wrong.empty() ? "" : "; ") + what; };
   if (messages > 0) add(std::to_string(messages) + " validation messages");
-  if (resident > kResidentGrowthMiB && !stage.session.device().info().isCpu) add("the process grows");
   // A short run is all warm-up: every setting that is met for the first time makes pipelines.
-  if (steps_ >= kLongRun && allocated > kAllocatedGrowthMiB) add("what is allocated grows");
-  if (device > kDeviceGrowthMiB) add("images and buffers grow");
+  if (steps_ >= kLongRun && resident.grown() > kResidentGrowthMiB) add("the process grows");
+  if (steps_ >= kLongRun && allocated.grown() > kAllocatedGrowthMiB) add("what is allocated grows");
+  if (device.grown() > kDeviceGrowthMiB) add("images and buffers grow");
   if (!unexpected_.empty())
     add(std::to_string(unexpected_.size()) + " errors without a reason, the first " + unexpected_.front());
   std::fflush(stdout);

@@ -41,11 +41,13 @@ Result<void> Swapchain::makeSurface() {
   surface_ = *surface;
   VkBool32 supported = VK_FALSE;
   vkGetPhysicalDeviceSurfaceSupportKHR(device_.physical(), device_.queueFamily(), surface_, &supported);
-  if (!supported) return failed("window: " + device_.info().name + " cannot present to it; choose another with --device");
+  if (!supported)
+    return failed("window: " + device_.info().name + " cannot present to it; choose another with --device");
   const VkFormat before = format_.format;
   if (auto chosen = chooseFormat(); !chosen) return chosen.error();
   // What draws the window is made for its format.
-  if (before != VK_FORMAT_UNDEFINED && before != format_.format) return failed("window: its new surface offers another format than the lost one");
+  if (before != VK_FORMAT_UNDEFINED && before != format_.format)
+    return failed("window: its new surface offers another format than the lost one");
   return {};
 }
 
@@ -97,7 +99,8 @@ Result<bool> Swapchain::fit(std::pair<std::uint32_t, std::uint32_t> pixels) {
   const VkResult result = vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &surface);
   if (result == VK_ERROR_SURFACE_LOST_KHR) return lose();
   if (result) return failure("its surface cannot be read", result);
-  if (!(surface.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT)) return failed("window: its images cannot be copied to");
+  if (!(surface.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT))
+    return failed("window: its images cannot be copied to");
   VkExtent2D extent = surface.currentExtent;
   if (extent.width == std::numeric_limits<std::uint32_t>::max())  // the surface takes the size of its images
     extent = {std::clamp(pixels.first, surface.minImageExtent.width, surface.maxImageExtent.width),
@@ -145,15 +148,17 @@ Result<std::optional<Swapchain::Target>> Swapchain::acquire() {
   // The slot's last frame is finished (the device has waited for it), and with it the last wait for this semaphore.
   const VkSemaphore semaphore = acquired_[device_.submittedFrames() % acquired_.size()];
   Target target;
-  const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_, std::numeric_limits<std::uint64_t>::max(), semaphore,
-                                                VK_NULL_HANDLE, &target.index);
+  const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_, std::numeric_limits<std::uint64_t>::max(),
+                                                semaphore, VK_NULL_HANDLE, &target.index);
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_ERROR_SURFACE_LOST_KHR) {
     stale_ = true;
     lost_ = result == VK_ERROR_SURFACE_LOST_KHR;
     return std::optional<Target>();
   }
-  if (result == VK_SUBOPTIMAL_KHR) stale_ = true;  // it can still be shown this once
-  else if (result) return failure("no image to draw into", result);
+  if (result == VK_SUBOPTIMAL_KHR)
+    stale_ = true;  // it can still be shown this once
+  else if (result)
+    return failure("no image to draw into", result);
   losses_ = 0;
   target.image = images_[target.index];
   target.signals = {semaphore, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, drawn_[target.index]};
@@ -166,8 +171,10 @@ Result<void> Swapchain::present(const Target& target) {
   info.swapchainCount = 1, info.pSwapchains = &swapchain_, info.pImageIndices = &target.index;
   const VkResult result = vkQueuePresentKHR(device_.queue(), &info);
   lost_ = result == VK_ERROR_SURFACE_LOST_KHR;
-  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR || lost_) stale_ = true;
-  else if (result) return failure("a frame cannot be shown", result);
+  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR || lost_)
+    stale_ = true;
+  else if (result)
+    return failure("a frame cannot be shown", result);
   return {};
 }
 

@@ -25,9 +25,9 @@ class Swapchain {
   VkFormat format() const { return format_.format; }
   VkExtent2D extent() const { return extent_; }
 
-  /// Makes the images anew when the window has another size or the surface asked for it. False while the window has no area.
-  /// (Some systems never say "out of date", so the size is compared each time.) Also makes a new surface when the last one was
-  /// lost; false while that fails, an error when it goes on failing.
+  /// Makes the images anew when the window has another size or the surface asked for it. False while the window has no
+  /// area. (Some systems never say "out of date", so the size is compared each time.) Also makes a new surface when the
+  /// last one was lost; false while that fails, an error when it goes on failing.
   Result<bool> fit(std::pair<std::uint32_t, std::uint32_t> pixels);
 
   struct Target {
@@ -57,8 +57,8 @@ class Swapchain {
   VkExtent2D extent_{0, 0};
   VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;
   std::vector<VkImage> images_;
-  std::vector<VkSemaphore> drawn_;              ///< per image: its presentation waits for it
-  std::array<VkSemaphore, 2> acquired_{};       ///< per frame in flight
+  std::vector<VkSemaphore> drawn_;         ///< per image: its presentation waits for it
+  std::array<VkSemaphore, 2> acquired_{};  ///< per frame in flight
   bool stale_ = true;
   bool lost_ = false;         ///< the surface: the next fit() makes another
   std::uint32_t losses_ = 0;  ///< of surfaces, since an image could be drawn to

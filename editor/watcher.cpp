@@ -31,7 +31,9 @@ void Watcher::reloadPlugin(app::Session& session, Workspace& workspace) {
     return;
   }
   workspace.changed = true;
-  workspace.tell("plugin reloaded: " + session.catalogue().effectPlugin().name() + " " + session.catalogue().effectPlugin().version(), false);
+  workspace.tell("plugin reloaded: " + session.catalogue().effectPlugin().name() + " " +
+                     session.catalogue().effectPlugin().version(),
+                 false);
 }
 
 void Watcher::reloadShaders(app::Session& session, Workspace& workspace, bool asked) {

@@ -19,7 +19,8 @@ class Watcher {
   void reloadShaders(app::Session& session, Workspace& workspace, bool asked);
 
   std::chrono::steady_clock::time_point next_{};
-  std::filesystem::file_time_type tried_{};  ///< of the plugin's file at the last automatic attempt: a broken one is tried once
+  std::filesystem::file_time_type
+      tried_{};  ///< of the plugin's file at the last automatic attempt: a broken one is tried once
 };
 
 }  // namespace tyndall::editor

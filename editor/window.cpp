@@ -23,9 +23,11 @@ Error noDisplay() {
 Result<std::unique_ptr<Window>> Window::open(const std::string& title, std::pair<std::uint32_t, std::uint32_t> size) {
   if (!glfwInit()) return noDisplay();
   std::unique_ptr<Window> window(new Window);  // from here on its destructor ends GLFW
-  if (!glfwVulkanSupported()) return failed("window: no Vulkan that can present to a window; install a driver (package mesa-vulkan-drivers)");
+  if (!glfwVulkanSupported())
+    return failed("window: no Vulkan that can present to a window; install a driver (package mesa-vulkan-drivers)");
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-  window->window_ = glfwCreateWindow(static_cast<int>(size.first), static_cast<int>(size.second), title.c_str(), nullptr, nullptr);
+  window->window_ =
+      glfwCreateWindow(static_cast<int>(size.first), static_cast<int>(size.second), title.c_str(), nullptr, nullptr);
   if (!window->window_) return noDisplay();
   // A frame may take longer than a tap on a key: the tap must not get lost.
   glfwSetInputMode(window->window_, GLFW_STICKY_KEYS, GLFW_TRUE);
@@ -46,7 +48,8 @@ Result<std::vector<std::string>> Window::instanceExtensions() const {
 
 Result<VkSurfaceKHR> Window::createSurface(VkInstance instance) const {
   VkSurfaceKHR surface = VK_NULL_HANDLE;
-  if (glfwCreateWindowSurface(instance, window_, nullptr, &surface) != VK_SUCCESS) return failed("window: no Vulkan surface: " + reason());
+  if (glfwCreateWindowSurface(instance, window_, nullptr, &surface) != VK_SUCCESS)
+    return failed("window: no Vulkan surface: " + reason());
   return surface;
 }
 

@@ -19,21 +19,23 @@ struct Rect {
 };
 
 struct Workspace {
-  double seconds = 0;             ///< time of the level's animations
+  double seconds = 0;  ///< time of the level's animations
   bool playing = false;
-  bool continuous = false;        ///< render even when nothing has changed (to watch times)
-  std::string debugView;          ///< "" = the picture
-  bool changed = true;            ///< the picture is out of date
-  bool cameraReset = false;       ///< F, or its button
+  bool continuous = false;                    ///< render even when nothing has changed (to watch times)
+  std::string debugView;                      ///< "" = the picture
+  bool changed = true;                        ///< the picture is out of date
+  bool cameraReset = false;                   ///< F, or its button
   std::optional<std::uint32_t> cameraWanted;  ///< of the file's: looked through from now on
-  /// A viewer's numbers are to be written as they are now: name of the view, and how. Done by the editor, which knows the folder.
+  /// A viewer's numbers are to be written as they are now: name of the view, and how. Done by the editor, which knows
+  /// the folder.
   std::function<Result<void>(const std::filesystem::path&)> writeView;
   std::string writeViewName;
   bool reloadPlugin = false, reloadShaders = false;
-  std::string message;            ///< the newest, one line
+  std::string message;  ///< the newest, one line
   bool messageIsError = false;
-  std::uint32_t levelEdits = 0;   ///< grows whenever the level in the session is another, or changed
-  std::map<std::string, std::string> facts;  ///< what research panels show, by name: for scripts that read the state file
+  std::uint32_t levelEdits = 0;  ///< grows whenever the level in the session is another, or changed
+  std::map<std::string, std::string>
+      facts;                            ///< what research panels show, by name: for scripts that read the state file
   std::map<std::string, Rect> widgets;  ///< of the frame drawn last, by parameter id or name
 
   void tell(std::string line, bool isError) {
@@ -51,6 +53,7 @@ struct Workspace {
 inline float scaled(float points) { return points * ImGui::GetFontSize() / 13; }
 
 /// Theme.
-inline const ImVec4 kErrorColor{1.0f, 0.45f, 0.40f, 1}, kChangedColor{1.0f, 0.80f, 0.35f, 1}, kDimColor{0.55f, 0.57f, 0.60f, 1};
+inline const ImVec4 kErrorColor{1.0f, 0.45f, 0.40f, 1}, kChangedColor{1.0f, 0.80f, 0.35f, 1},
+    kDimColor{0.55f, 0.57f, 0.60f, 1};
 
 }  // namespace tyndall::editor

@@ -61,7 +61,8 @@ std::string Catalogue::techniqueName() const {
 
 const host::TechniqueInfo* Catalogue::technique() const {
   const std::string name = techniqueName();
-  const bool only = effectPlugin().selector() >= effectPlugin().parameters().size() && effectPlugin().techniques().size() == 1;
+  const bool only =
+      effectPlugin().selector() >= effectPlugin().parameters().size() && effectPlugin().techniques().size() == 1;
   for (const host::TechniqueInfo& info : effectPlugin().techniques())
     if (only || info.id == name) return &info;
   return nullptr;
@@ -93,7 +94,8 @@ std::vector<std::string> Catalogue::unusedSettings() const {
       unused.push_back(id);
       continue;
     }
-    const bool steers = id == enabledId || (plugin.selector() < plugin.parameters().size() && id == plugin.parameters()[plugin.selector()].id);
+    const bool steers = id == enabledId || (plugin.selector() < plugin.parameters().size() &&
+                                            id == plugin.parameters()[plugin.selector()].id);
     if (!steers && !(enabled && chosen && contains(chosen->reads, id))) unused.push_back(id);
   }
   return unused;
@@ -101,7 +103,8 @@ std::vector<std::string> Catalogue::unusedSettings() const {
 
 Result<void> Catalogue::replaceEffectPlugin(std::unique_ptr<host::Plugin> plugin) {
   if (plugin->id() != effectPlugin().id())
-    return failed(plugin->path().string() + ": is now plugin '" + plugin->id() + "'; '" + effectPlugin().id() + "' is in use");
+    return failed(plugin->path().string() + ": is now plugin '" + plugin->id() + "'; '" + effectPlugin().id() +
+                  "' is in use");
   table_.remove(effectPlugin().id());
   if (auto added = table_.add(plugin->parameters()); !added) {
     // The old table was accepted before, among the same neighbours.

@@ -1,4 +1,5 @@
-// tyndall describe: plugins, techniques, parameters, debug views. Works without a GPU, but for the plugin's debug views.
+// tyndall describe: plugins, techniques, parameters, debug views. Works without a GPU, but for the plugin's debug
+// views.
 #include <algorithm>
 
 #include "app/session.hpp"
@@ -9,12 +10,13 @@
 namespace tyndall::app {
 namespace {
 
-/// Views of the engine, then those of every technique of the effect, and what its automatic parameters stand for here. Without a device
-/// the latter two are left out with a note.
-std::vector<DebugViewText> debugViews(std::unique_ptr<Catalogue>& catalogue, const std::string& deviceName, std::vector<AutomaticText>& automatics,
-                                      std::vector<std::string>& notes) {
+/// Views of the engine, then those of every technique of the effect, and what its automatic parameters stand for here.
+/// Without a device the latter two are left out with a note.
+std::vector<DebugViewText> debugViews(std::unique_ptr<Catalogue>& catalogue, const std::string& deviceName,
+                                      std::vector<AutomaticText>& automatics, std::vector<std::string>& notes) {
   std::vector<DebugViewText> views;
-  for (const render::DebugViewInfo& view : render::Renderer::debugViews()) views.push_back({view.name, "engine", view.doc, {}});
+  for (const render::DebugViewInfo& view : render::Renderer::debugViews())
+    views.push_back({view.name, "engine", view.doc, {}});
   gpu::DeviceOptions options;
   options.name = deviceName;
   auto device = gpu::Device::create(options);
@@ -31,7 +33,9 @@ std::vector<DebugViewText> debugViews(std::unique_ptr<Catalogue>& catalogue, con
   }
   const auto add = [&](const std::string& technique) {
     for (const host::PluginDebugView& view : (*effect)->debugViews()) {
-      auto known = std::find_if(views.begin(), views.end(), [&](const DebugViewText& other) { return other.name == view.name && other.owner == plugin.id(); });
+      auto known = std::find_if(views.begin(), views.end(), [&](const DebugViewText& other) {
+        return other.name == view.name && other.owner == plugin.id();
+      });
       if (known == views.end()) known = views.insert(known, {view.name, plugin.id(), view.doc, {}});
       if (!technique.empty()) known->techniques.push_back(technique);
     }
@@ -58,16 +62,19 @@ std::string range(const params::Parameter& p) {
   return text;
 }
 
-std::string describeText(const Catalogue& catalogue, const std::vector<DebugViewText>& views, const std::vector<AutomaticText>& automatics) {
+std::string describeText(const Catalogue& catalogue, const std::vector<DebugViewText>& views,
+                         const std::vector<AutomaticText>& automatics) {
   std::string text = "plugins\n";
   for (const auto& plugin : catalogue.plugins()) {
-    text += "  " + plugin->id() + " " + plugin->version() + " - " + plugin->name() + " (" + plugin->path().string() + ")\n    " + plugin->doc() + "\n";
+    text += "  " + plugin->id() + " " + plugin->version() + " - " + plugin->name() + " (" + plugin->path().string() +
+            ")\n    " + plugin->doc() + "\n";
     for (const host::TechniqueInfo& technique : plugin->techniques())
       text += "    technique " + technique.id + " - " + technique.name + ". " + technique.doc + "\n";
   }
   text += "\nparameters\n";
   for (const params::Parameter& p : catalogue.table().parameters()) {
-    text += "  " + p.id + " = " + params::toText(p, p.defaultValue) + (p.unit.empty() ? "" : " " + p.unit) + "   [" + range(p) + "]\n    " + p.doc + "\n";
+    text += "  " + p.id + " = " + params::toText(p, p.defaultValue) + (p.unit.empty() ? "" : " " + p.unit) + "   [" +
+            range(p) + "]\n    " + p.doc + "\n";
   }
   if (!automatics.empty()) text += "\nfastest on this device (1280x720, present sizes)\n";
   for (const AutomaticText& a : automatics)
@@ -90,7 +97,10 @@ Result<void> runDescribe(const DescribeOptions& options) {
   std::vector<std::string> notes;
   std::vector<AutomaticText> automatics;
   const std::vector<DebugViewText> views = debugViews(*catalogue, options.device, automatics, notes);
-  if (auto done = print(options.json ? describeJson(**catalogue, views, automatics) : describeText(**catalogue, views, automatics)); !done) return done;
+  if (auto done = print(options.json ? describeJson(**catalogue, views, automatics)
+                                     : describeText(**catalogue, views, automatics));
+      !done)
+    return done;
   tell((*catalogue)->warnings(), notes);
   return {};
 }

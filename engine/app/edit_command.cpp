@@ -11,7 +11,8 @@ namespace tyndall::app {
 Result<void> runEdit(const EditOptions& options) {
   const std::filesystem::path editor = executableFolder() / "tyndall-editor";
   std::error_code missing;
-  if (!std::filesystem::exists(editor, missing)) return failed("edit: " + editor.string() + " is not built; configure with TYNDALL_BUILD_EDITOR=ON and build");
+  if (!std::filesystem::exists(editor, missing))
+    return failed("edit: " + editor.string() + " is not built; configure with TYNDALL_BUILD_EDITOR=ON and build");
   std::string program = editor.string();
   std::vector<std::string> arguments = options.arguments;
   std::vector<char*> pointers{program.data()};

@@ -13,7 +13,8 @@ namespace {
 
 bool looksLikePath(std::string_view text) {
   std::string extension = fs::path(text).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text.find('/') != std::string_view::npos || extension == ".gltf" || extension == ".glb";
 }
 
@@ -39,10 +40,12 @@ std::vector<std::string> sampleLevels() {
 Result<fs::path> findLevel(std::string_view text) {
   if (looksLikePath(text)) return fs::path(text);
   const std::vector<std::string> samples = sampleLevels();
-  if (std::find(samples.begin(), samples.end(), text) != samples.end()) return levelFolder() / (std::string(text) + ".glb");
+  if (std::find(samples.begin(), samples.end(), text) != samples.end())
+    return levelFolder() / (std::string(text) + ".glb");
   const std::string near = text.empty() ? "" : nearestName(text, samples);
-  return badCall("LEVEL '" + std::string(text) + "': no such sample level" + (near.empty() ? "" : ", did you mean '" + near + "'?") +
-                 "; samples: " + joined(samples) + "; a path to a .gltf or .glb file is also possible");
+  return badCall("LEVEL '" + std::string(text) + "': no such sample level" +
+                 (near.empty() ? "" : ", did you mean '" + near + "'?") + "; samples: " + joined(samples) +
+                 "; a path to a .gltf or .glb file is also possible");
 }
 
 Result<Level> loadLevel(std::string_view text) {
@@ -79,8 +82,10 @@ std::vector<scene::LightView> Level::lights(double seconds) const {
 Result<scene::CameraView> chooseCamera(const Level& level, std::uint32_t index, double seconds) {
   const auto views = level.cameras(seconds);
   if (index < views.size()) return views[index];
-  return badCall("--camera " + std::to_string(index) + ": " + level.path.string() + " has " + std::to_string(views.size()) +
-                 (views.size() == 1 ? " camera; only 0 is possible" : " cameras; 0 to " + std::to_string(views.size() - 1) + " are possible"));
+  return badCall("--camera " + std::to_string(index) + ": " + level.path.string() + " has " +
+                 std::to_string(views.size()) +
+                 (views.size() == 1 ? " camera; only 0 is possible"
+                                    : " cameras; 0 to " + std::to_string(views.size() - 1) + " are possible"));
 }
 
 }  // namespace tyndall::app

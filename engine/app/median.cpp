@@ -17,7 +17,8 @@ const std::vector<render::PassTime>& medianFrame(const std::vector<std::vector<r
   TY_ASSERT(!frames.empty(), "no frame was timed");
   std::vector<std::size_t> order(frames.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return totalMs(frames[a]) < totalMs(frames[b]); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return totalMs(frames[a]) < totalMs(frames[b]); });
   return frames[order[(order.size() - 1) / 2]];
 }
 

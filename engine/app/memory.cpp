@@ -32,7 +32,10 @@ std::string imageText(const gpu::ImageDesc& image) {
 std::vector<ResourceMemory> keptMemory(const gpu::Device& device) {
   std::vector<ResourceMemory> list;
   for (const gpu::MemoryUser& user : device.memoryUsers())
-    list.push_back({user.name, "", user.image ? imageText(*user.image) : user.shared ? "shared in turn" : "buffer",
+    list.push_back({user.name, "",
+                    user.image    ? imageText(*user.image)
+                    : user.shared ? "shared in turn"
+                                  : "buffer",
                     user.bytes, "", ""});
   return list;
 }

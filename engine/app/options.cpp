@@ -1,5 +1,5 @@
-// The command line by CLI11, which appears in this file only. CLI11 splits arguments; numbers and files are checked here
-// and later, so that every refusal is one line that names the option.
+// The command line by CLI11, which appears in this file only. CLI11 splits arguments; numbers and files are checked
+// here and later, so that every refusal is one line that names the option.
 #include "options.hpp"
 
 #include <tuple>
@@ -35,15 +35,27 @@ void addLevel(CLI::App& command, Given& given) {
 }
 
 void addSettings(CLI::App& command, Given& given) {
-  command.add_option("--set", given.assignments, "sets a parameter (see: tyndall describe); repeatable, the later wins")
-      ->type_name("id=value")->expected(1)->take_all()->allow_extra_args(false);
-  command.add_option("--preset", given.preset, "parameter values from a file; --set comes after it")->type_name("FILE.json");
-  command.add_option("--plugin-dir", given.plugins, "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")->type_name("DIR");
+  command
+      .add_option("--set", given.assignments, "sets a parameter (see: tyndall describe); repeatable, the later wins")
+      ->type_name("id=value")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  command.add_option("--preset", given.preset, "parameter values from a file; --set comes after it")
+      ->type_name("FILE.json");
+  command
+      .add_option("--plugin-dir", given.plugins,
+                  "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")
+      ->type_name("DIR");
 }
 
 void addView(CLI::App& command, Given& given) {
-  command.add_option("--camera", given.camera, "which of the file's perspective cameras, in node order [0]")->type_name("N");
-  command.add_option("--pose", given.pose, "stands the camera at X,Y,Z (metres) and turns it (degrees; yaw 0 is along -Z and grows to the right); the lens stays")
+  command.add_option("--camera", given.camera, "which of the file's perspective cameras, in node order [0]")
+      ->type_name("N");
+  command
+      .add_option("--pose", given.pose,
+                  "stands the camera at X,Y,Z (metres) and turns it (degrees; yaw 0 is along -Z and grows to the "
+                  "right); the lens stays")
       ->type_name("X,Y,Z,YAW,PITCH");
   command.add_option("--size", given.size, "size of the picture in pixels [1280x720]")->type_name("WxH");
   command.add_option("--time", given.seconds, "time of the level's animations [0]")->type_name("SECONDS");
@@ -53,15 +65,32 @@ void addRender(CLI::App& command, Given& given) {
   addLevel(command, given);
   addView(command, given);
   addSettings(command, given);
-  command.add_option("--frames", given.frames, "frames rendered and timed after a warm-up; times are those of the median frame [1]")->type_name("N");
+  command
+      .add_option("--frames", given.frames,
+                  "frames rendered and timed after a warm-up; times are those of the median frame [1]")
+      ->type_name("N");
   command.add_option("--out", given.out, "the picture, 8-bit sRGB")->type_name("IMAGE.png");
-  command.add_option("--scatter", given.scatter, "R,G,B in-scattered radiance before exposure, A transmittance; 32-bit float")->type_name("FILE.exr");
-  command.add_option("--depth", given.depth, "distance along each pixel's ray in metres; 32-bit float")->type_name("FILE.exr");
+  command
+      .add_option("--scatter", given.scatter,
+                  "R,G,B in-scattered radiance before exposure, A transmittance; 32-bit float")
+      ->type_name("FILE.exr");
+  command.add_option("--depth", given.depth, "distance along each pixel's ray in metres; 32-bit float")
+      ->type_name("FILE.exr");
   command.add_option("--stats", given.stats, "times, memory, settings")->type_name("FILE.json");
-  command.add_option("--debug-view", given.debugView, "shows a view of the insides instead of the picture (see: tyndall describe)")->type_name("NAME");
-  command.add_option("--view-exr", given.viewExr, "the numbers of the debug view's own image, as a shader reads them; 32-bit float")->type_name("FILE.exr");
-  command.add_option("--device", given.device, "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")->type_name("TEXT");
-  command.add_flag("--validate", given.validate, "validation layer with synchronization validation; any message makes the exit status 1");
+  command
+      .add_option("--debug-view", given.debugView,
+                  "shows a view of the insides instead of the picture (see: tyndall describe)")
+      ->type_name("NAME");
+  command
+      .add_option("--view-exr", given.viewExr,
+                  "the numbers of the debug view's own image, as a shader reads them; 32-bit float")
+      ->type_name("FILE.exr");
+  command
+      .add_option("--device", given.device,
+                  "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")
+      ->type_name("TEXT");
+  command.add_flag("--validate", given.validate,
+                   "validation layer with synchronization validation; any message makes the exit status 1");
 }
 
 void addTruth(CLI::App& command, Given& given) {
@@ -69,37 +98,90 @@ void addTruth(CLI::App& command, Given& given) {
   addView(command, given);
   addSettings(command, given);
   command.add_option("--samples", given.samples, "shadow rays per view ray and light [1024]")->type_name("N");
-  command.add_option("--out", given.scatter, "R,G,B in-scattered radiance, A transmittance; 32-bit float")->type_name("FILE.exr");
-  command.add_option("--depth", given.depth, "distance along each pixel's ray in metres; 32-bit float")->type_name("FILE.exr");
+  command.add_option("--out", given.scatter, "R,G,B in-scattered radiance, A transmittance; 32-bit float")
+      ->type_name("FILE.exr");
+  command.add_option("--depth", given.depth, "distance along each pixel's ray in metres; 32-bit float")
+      ->type_name("FILE.exr");
 }
 
 void addBench(CLI::App& command, Given& given) {
   command.add_option("LEVEL", given.levels, "samples or paths, instead of the sweep's own levels");
-  command.add_option("--sweep", given.sweep, "quick, full, papers, scaling, motion, or a file of the same form [quick]")->type_name("NAME|FILE.json");
-  command.add_option("--size", given.size, "size of the pictures that are timed, instead of the sweep's")->type_name("WxH");
-  command.add_option("--repetitions", given.repetitions, "timed frames of each point, instead of the sweep's")->type_name("N");
-  command.add_option("--out", given.out, "folder of results.json, results.csv and report.html [out/bench/<sweep>]; what it holds is gone on with")->type_name("DIR");
+  command
+      .add_option("--sweep", given.sweep, "quick, full, papers, scaling, motion, or a file of the same form [quick]")
+      ->type_name("NAME|FILE.json");
+  command.add_option("--size", given.size, "size of the pictures that are timed, instead of the sweep's")
+      ->type_name("WxH");
+  command.add_option("--repetitions", given.repetitions, "timed frames of each point, instead of the sweep's")
+      ->type_name("N");
+  command
+      .add_option(
+          "--out", given.out,
+          "folder of results.json, results.csv and report.html [out/bench/<sweep>]; what it holds is gone on with")
+      ->type_name("DIR");
   command.add_flag("--fresh", given.fresh, "measures everything again");
-  command.add_option("--device", given.device, "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")->type_name("TEXT");
-  command.add_option("--plugin-dir", given.plugins, "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")->type_name("DIR");
-  command.add_option("--compare", given.compare, "a table of the ratios of two results.json, instead of measuring")->type_name("A.json B.json")->expected(2);
-  command.add_option("--report", given.report, "makes the report of a results.json again, instead of measuring")->type_name("RESULTS.json");
+  command
+      .add_option("--device", given.device,
+                  "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")
+      ->type_name("TEXT");
+  command
+      .add_option("--plugin-dir", given.plugins,
+                  "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")
+      ->type_name("DIR");
+  command.add_option("--compare", given.compare, "a table of the ratios of two results.json, instead of measuring")
+      ->type_name("A.json B.json")
+      ->expected(2);
+  command.add_option("--report", given.report, "makes the report of a results.json again, instead of measuring")
+      ->type_name("RESULTS.json");
 }
 
 void addTune(CLI::App& command, Given& given) {
   addLevel(command, given);
-  command.add_option("--max-error", given.maxError, "finds the cheapest settings whose nRMSE against the ray-traced truth is at most this")->type_name("X");
-  command.add_option("--budget-ms", given.budget, "finds the least error within so many milliseconds of GPU time in the worst view")->type_name("X");
-  command.add_option("--camera", given.cameras, "a view that counts; repeatable [all of the file's cameras]")->type_name("N")->expected(1)->take_all()->allow_extra_args(false);
-  command.add_option("--hold-out", given.holdOut, "a view that is not searched on, but measured at the end; repeatable")->type_name("N")->expected(1)->take_all()->allow_extra_args(false);
-  command.add_option("--turned", given.turned, "so many further views at each camera that is tuned on, turned by 20 degrees to both sides in turn, by 40, ... [0]")->type_name("N");
-  command.add_flag("--no-light-views", given.noLightViews, "no further view, turned to a light, at a camera that sees none: for a game that never looks at its lights");
-  command.add_option("--candidates", given.candidates, "what to try: a file with the knobs, settings, error_size and truth_samples of a sweep [tune/*.json beside the program]")->type_name("FILE.json");
-  command.add_option("--margin", given.margin, "part of the bound that the search keeps clear of, for the sake of views that it does not see [0.1]")->type_name("X");
+  command
+      .add_option("--max-error", given.maxError,
+                  "finds the cheapest settings whose nRMSE against the ray-traced truth is at most this")
+      ->type_name("X");
+  command
+      .add_option("--budget-ms", given.budget,
+                  "finds the least error within so many milliseconds of GPU time in the worst view")
+      ->type_name("X");
+  command.add_option("--camera", given.cameras, "a view that counts; repeatable [all of the file's cameras]")
+      ->type_name("N")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  command
+      .add_option("--hold-out", given.holdOut, "a view that is not searched on, but measured at the end; repeatable")
+      ->type_name("N")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  command
+      .add_option("--turned", given.turned,
+                  "so many further views at each camera that is tuned on, turned by 20 degrees to both sides in turn, "
+                  "by 40, ... [0]")
+      ->type_name("N");
+  command.add_flag(
+      "--no-light-views", given.noLightViews,
+      "no further view, turned to a light, at a camera that sees none: for a game that never looks at its lights");
+  command
+      .add_option("--candidates", given.candidates,
+                  "what to try: a file with the knobs, settings, error_size and truth_samples of a sweep [tune/*.json "
+                  "beside the program]")
+      ->type_name("FILE.json");
+  command
+      .add_option("--margin", given.margin,
+                  "part of the bound that the search keeps clear of, for the sake of views that it does not see [0.1]")
+      ->type_name("X");
   command.add_option("--size", given.size, "size of the pictures that are timed [1280x720]")->type_name("WxH");
   command.add_option("--out", given.out, "the preset; else it goes to standard output")->type_name("PRESET.json");
-  command.add_option("--device", given.device, "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")->type_name("TEXT");
-  command.add_option("--plugin-dir", given.plugins, "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")->type_name("DIR");
+  command
+      .add_option("--device", given.device,
+                  "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")
+      ->type_name("TEXT");
+  command
+      .add_option("--plugin-dir", given.plugins,
+                  "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")
+      ->type_name("DIR");
 }
 
 /// An error for the first argument that nothing took, or success.
@@ -109,7 +191,8 @@ Result<void> refuseExtras(const CLI::App& command) {
   // The first that looks like an option: what follows it may be its value.
   const auto isOption = [](const std::string& text) { return text.size() > 1 && text[0] == '-'; };
   const auto found = std::find_if(extras.begin(), extras.end(), isOption);
-  if (found == extras.end()) return badCall("'" + extras.front() + "': is one argument too many; see tyndall " + command.get_name() + " --help");
+  if (found == extras.end())
+    return badCall("'" + extras.front() + "': is one argument too many; see tyndall " + command.get_name() + " --help");
   const std::string name = found->substr(0, found->find('='));
   std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options())
@@ -133,7 +216,9 @@ SettingsOptions settingsOf(const Given& given) { return {given.preset, given.ass
 /// Camera, size and time, which render and truth share.
 template <class T>
 Result<void> readView(const Given& given, T& options) {
-  if (given.level.empty()) return badCall("LEVEL is missing; a sample's name (see: tyndall levels) or a path to a .gltf or .glb file is needed");
+  if (given.level.empty())
+    return badCall(
+        "LEVEL is missing; a sample's name (see: tyndall levels) or a path to a .gltf or .glb file is needed");
   options.level = given.level;
   auto camera = readCount("--camera", given.camera, 0, 1'000'000);
   if (!camera) return camera.error();
@@ -160,7 +245,8 @@ Result<Options> readRender(const Given& given) {
   auto frames = readCount("--frames", given.frames, 1, 1'000'000);
   if (!frames) return frames.error();
   options.frames = *frames;
-  options.picture = given.out, options.scatter = given.scatter, options.depth = given.depth, options.stats = given.stats;
+  options.picture = given.out, options.scatter = given.scatter, options.depth = given.depth,
+  options.stats = given.stats;
   options.debugView = given.debugView, options.device = given.device, options.validate = given.validate;
   options.viewExr = given.viewExr;
   if (!options.viewExr.empty() && options.debugView.empty())
@@ -191,7 +277,8 @@ Result<Options> readBench(const Given& given, bool sized) {
     if (!repetitions) return repetitions.error();
     options.repetitions = *repetitions;
   }
-  options.levels = given.levels, options.sweep = given.sweep, options.out = given.out, options.device = given.device, options.pluginFolder = given.plugins;
+  options.levels = given.levels, options.sweep = given.sweep, options.out = given.out, options.device = given.device,
+  options.pluginFolder = given.plugins;
   options.fresh = given.fresh, options.report = given.report;
   options.compare.assign(given.compare.begin(), given.compare.end());
   return Options(std::move(options));
@@ -199,9 +286,12 @@ Result<Options> readBench(const Given& given, bool sized) {
 
 Result<Options> readTune(const Given& given) {
   TuneOptions options;
-  if (given.level.empty()) return badCall("LEVEL is missing; a sample's name (see: tyndall levels) or a path to a .gltf or .glb file is needed");
+  if (given.level.empty())
+    return badCall(
+        "LEVEL is missing; a sample's name (see: tyndall levels) or a path to a .gltf or .glb file is needed");
   options.level = given.level;
-  for (const auto& [option, texts, list] : {std::tuple{"--camera", &given.cameras, &options.cameras}, {"--hold-out", &given.holdOut, &options.holdOut}})
+  for (const auto& [option, texts, list] :
+       {std::tuple{"--camera", &given.cameras, &options.cameras}, {"--hold-out", &given.holdOut, &options.holdOut}})
     for (const std::string& text : *texts) {
       auto camera = readCount(option, text, 0, 1'000'000);
       if (!camera) return camera.error();
@@ -218,8 +308,10 @@ Result<Options> readTune(const Given& given) {
   auto size = readSize("--size", given.size);
   if (!size) return size.error();
   options.size = *size;
-  if (given.budget.empty() == given.maxError.empty()) return badCall("tune: one of --max-error X and --budget-ms X is needed");
-  auto bound = given.budget.empty() ? readPositive("--max-error", given.maxError) : readPositive("--budget-ms", given.budget);
+  if (given.budget.empty() == given.maxError.empty())
+    return badCall("tune: one of --max-error X and --budget-ms X is needed");
+  auto bound =
+      given.budget.empty() ? readPositive("--max-error", given.maxError) : readPositive("--budget-ms", given.budget);
   if (!bound) return bound.error();
   (given.budget.empty() ? options.maxError : options.budgetMs) = *bound;
   options.out = given.out, options.device = given.device, options.pluginFolder = given.plugins;
@@ -247,7 +339,8 @@ Result<Options> readOptions(int argc, const char* const* argv) try {
   edit.prefix_command();
   CLI::App& bench = *app.add_subcommand("bench", "measures run time against error");
   addBench(bench, given);
-  CLI::App& tune = *app.add_subcommand("tune", "searches the cheapest settings under an error, or the best within a time");
+  CLI::App& tune =
+      *app.add_subcommand("tune", "searches the cheapest settings under an error, or the best within a time");
   addTune(tune, given);
   for (CLI::App* command : {&render, &truth, &describe, &levels, &bench, &tune}) command->allow_extras();
 
@@ -262,14 +355,16 @@ Result<Options> readOptions(int argc, const char* const* argv) try {
   }
 
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const std::string choices = "render, truth, describe, levels, edit, bench or tune is needed";
   if (chosen.empty()) {
     const std::vector<std::string> extras = app.remaining();
     if (extras.empty()) return badCall("no command; " + choices);
     const std::string near = nearestName(extras.front(), names);
-    return badCall("'" + extras.front() + "': no such command; " + (near.empty() ? choices : "did you mean '" + near + "'?"));
+    return badCall("'" + extras.front() + "': no such command; " +
+                   (near.empty() ? choices : "did you mean '" + near + "'?"));
   }
   const CLI::App& command = *chosen.front();
   if (&command == &edit) return Options(EditOptions{edit.remaining()});

@@ -32,7 +32,7 @@ struct RenderOptions {
   SettingsOptions settings;
   std::string picture, scatter, depth, stats;  ///< output files; "" = not asked for
   std::string debugView, device;
-  std::string viewExr;                          ///< output file of the debug view's own numbers; needs debugView
+  std::string viewExr;  ///< output file of the debug view's own numbers; needs debugView
   bool validate = false;
 };
 
@@ -53,11 +53,16 @@ struct DescribeOptions {
   std::string device;
 };
 struct LevelsOptions {};
-struct EditOptions { std::vector<std::string> arguments; };
+struct EditOptions {
+  std::vector<std::string> arguments;
+};
 /// Help or version: text for stdout, then exit status 0.
-struct TextOptions { std::string text; };
+struct TextOptions {
+  std::string text;
+};
 
-using Options = std::variant<RenderOptions, TruthOptions, DescribeOptions, LevelsOptions, EditOptions, BenchOptions, TuneOptions, TextOptions>;
+using Options = std::variant<RenderOptions, TruthOptions, DescribeOptions, LevelsOptions, EditOptions, BenchOptions,
+                             TuneOptions, TextOptions>;
 
 Result<Options> readOptions(int argc, const char* const* argv);
 

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -22,7 +23,8 @@ bool samePlace(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
   if (fs::equivalent(a, b, ignored)) return true;
   // Of a path that does not exist, only an absolute one becomes canonical in full.
-  return fs::weakly_canonical(fs::absolute(a, ignored), ignored) == fs::weakly_canonical(fs::absolute(b, ignored), ignored);
+  return fs::weakly_canonical(fs::absolute(a, ignored), ignored) ==
+         fs::weakly_canonical(fs::absolute(b, ignored), ignored);
 }
 
 /// Holds back the signals that end a program, so that none strikes between writing and placing files.
@@ -51,13 +53,17 @@ Result<void> Outputs::add(const std::string& option, const fs::path& path, const
   std::error_code failedCode;
   const fs::file_status status = fs::status(path, failedCode);
   if (fs::is_directory(status)) return failed(subject + "is a folder; a file name is needed");
-  if (fs::exists(status) && !fs::is_regular_file(status)) return failed(subject + "is not a regular file; name another");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return failed(subject + "is not a regular file; name another");
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, failedCode)) return failed(subject + "the folder " + folder.string() + " does not exist; make it first");
+  if (!fs::is_directory(folder, failedCode))
+    return failed(subject + "the folder " + folder.string() + " does not exist; make it first");
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    return failed(subject + "the folder " + folder.string() + " cannot be written to (" + std::strerror(errno) + "); choose another");
+    return failed(subject + "the folder " + folder.string() + " cannot be written to (" + std::strerror(errno) +
+                  "); choose another");
   for (const Output& other : outputs_)
-    if (samePlace(other.path, path)) return badCall(subject + "is also the file of " + other.option + "; each needs its own");
+    if (samePlace(other.path, path))
+      return badCall(subject + "is also the file of " + other.option + "; each needs its own");
   for (const fs::path& input : inputs_)
     if (samePlace(input, path)) return badCall(subject + "is an input of this call; name another file");
   outputs_.push_back({option, path, {}, false});
@@ -69,7 +75,8 @@ Result<void> Outputs::write(const std::string& option, const Write& write) {
   for (Output& output : outputs_) {
     if (output.option != option) continue;
     // Beside its final place, so that placing it is a rename within one file system.
-    output.temporary = output.path.parent_path() / (".tyndall-" + std::to_string(::getpid()) + "-" + output.path.filename().string());
+    output.temporary =
+        output.path.parent_path() / (".tyndall-" + std::to_string(::getpid()) + "-" + output.path.filename().string());
     auto done = write(output.temporary);
     if (!done) {
       std::string message = done.error().message;

@@ -21,9 +21,10 @@ Result<std::filesystem::path> findPreset(const std::filesystem::path& asked) {
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   const std::string near = nearestName(text, names);
   if (names.empty())
-    return badCall("--preset '" + text + "': there are no presets in " + folder.string() + ", where the programs' own are expected; a path ending in .json would be right");
-  return badCall("--preset '" + text + "': no such preset" + (near.empty() ? "" : ", did you mean '" + near + "'?") + "; there are " + list +
-                 ", or give a path ending in .json");
+    return badCall("--preset '" + text + "': there are no presets in " + folder.string() +
+                   ", where the programs' own are expected; a path ending in .json would be right");
+  return badCall("--preset '" + text + "': no such preset" + (near.empty() ? "" : ", did you mean '" + near + "'?") +
+                 "; there are " + list + ", or give a path ending in .json");
 }
 
 }  // namespace tyndall::app

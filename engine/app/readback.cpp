@@ -13,15 +13,20 @@ Result<void> Readback::copy(Session& session, render::Graph& graph, const char* 
     buffer = made.take();
   }
   const render::BufferRef target = graph.import(buffer);
-  graph.pass(name, kOwner).use(image, render::Use::kTransferRead).use(target, render::Use::kTransferWrite).keep().run(
-      [image, target, this](render::PassContext& pass) {
+  graph.pass(name, kOwner)
+      .use(image, render::Use::kTransferRead)
+      .use(target, render::Use::kTransferWrite)
+      .keep()
+      .run([image, target, this](render::PassContext& pass) {
         VkBufferImageCopy region{};
         region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
         region.imageExtent = {width_, height_, 1};
-        vkCmdCopyImageToBuffer(pass.commands(), pass.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pass.buffer(target), 1, &region);
+        vkCmdCopyImageToBuffer(pass.commands(), pass.image(image), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                               pass.buffer(target), 1, &region);
         // Waiting for the frame orders execution only; this makes the copy visible to the host's reads.
         VkMemoryBarrier2 toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-        toHost.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, toHost.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+        toHost.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+        toHost.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
         toHost.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT, toHost.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
         VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
         dependency.memoryBarrierCount = 1, dependency.pMemoryBarriers = &toHost;

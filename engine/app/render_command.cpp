@@ -32,12 +32,14 @@ Result<void> runRender(const RenderOptions& options) {
   auto opened = Session::open(catalogue.take(), device);
   if (!opened) return opened.error();
   Session& session = **opened;
-  if (auto fits = checkSize("--size", options.size, session.maxSide(), session.device().info().name + " takes"); !fits) return fits;
+  if (auto fits = checkSize("--size", options.size, session.maxSide(), session.device().info().name + " takes"); !fits)
+    return fits;
   if (auto set = session.setLevel(level.take()); !set) return set;
   auto run = renderFrames(session, options, *camera);
   if (!run) return run.error();
   if (run->validationMessages > 0)
-    return failed("--validate: the validation layer gave " + std::to_string(run->validationMessages) + " messages (above); none is right");
+    return failed("--validate: the validation layer gave " + std::to_string(run->validationMessages) +
+                  " messages (above); none is right");
   notes.insert(notes.end(), session.renderer().notes().begin(), session.renderer().notes().end());
 
   std::vector<std::string> told = warnings;

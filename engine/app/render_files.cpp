@@ -19,7 +19,8 @@ Result<void> addRenderFiles(Outputs& outputs, const RenderOptions& options, cons
   if (!options.settings.preset.empty()) outputs.protect(options.settings.preset);
   for (const OptionFile& file :
        {OptionFile{"--out", options.picture, ".png"}, OptionFile{"--scatter", options.scatter, ".exr"},
-        OptionFile{"--depth", options.depth, ".exr"}, OptionFile{"--view-exr", options.viewExr, ".exr"}, OptionFile{"--stats", options.stats, ".json"}})
+        OptionFile{"--depth", options.depth, ".exr"}, OptionFile{"--view-exr", options.viewExr, ".exr"},
+        OptionFile{"--stats", options.stats, ".json"}})
     if (!file.path.empty())
       if (auto added = outputs.add(file.option, file.path, file.extension); !added) return added;
   return {};

@@ -38,7 +38,8 @@ Result<void> unknownView(const Session& session, const std::string& name) {
   }
   if (std::find(names.begin(), names.end(), name) != names.end()) return {};
   const std::string near = nearestName(name, names);
-  return badCall("--debug-view '" + name + "': no such view" + (near.empty() ? "" : ", did you mean '" + near + "'?") + "; there are " + list);
+  return badCall("--debug-view '" + name + "': no such view" + (near.empty() ? "" : ", did you mean '" + near + "'?") +
+                 "; there are " + list);
 }
 
 }  // namespace

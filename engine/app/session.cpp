@@ -9,7 +9,8 @@
 
 namespace tyndall::app {
 
-Result<std::unique_ptr<Session>> Session::open(std::unique_ptr<Catalogue> catalogue, const gpu::DeviceOptions& options) {
+Result<std::unique_ptr<Session>> Session::open(std::unique_ptr<Catalogue> catalogue,
+                                               const gpu::DeviceOptions& options) {
   auto session = std::unique_ptr<Session>(new Session);
   session->catalogue_ = std::move(catalogue);
   auto device = gpu::Device::create(options);
@@ -19,7 +20,8 @@ Result<std::unique_ptr<Session>> Session::open(std::unique_ptr<Catalogue> catalo
   auto renderer = render::Renderer::create(*session->device_, executableFolder() / "shaders");
   if (!renderer) return renderer.error();
   session->renderer_ = renderer.take();
-  session->frameBuilder_ = std::make_unique<render::FrameBuilder>(*session->device_, *session->renderer_, executableFolder() / "shaders");
+  session->frameBuilder_ =
+      std::make_unique<render::FrameBuilder>(*session->device_, *session->renderer_, executableFolder() / "shaders");
   auto effect = host::PluginEffect::create(*session->device_, session->catalogue_->effectPlugin(), session->table());
   if (!effect) return effect.error();
   session->effect_ = effect.take();
@@ -61,8 +63,8 @@ render::FrameSettings Session::asked(const FrameRequest& request) const {
 
 namespace {
 
-/// Whether frames with both settings are drawn by the same pipelines and the same code of theirs (which llvmpipe makes for sides that are powers of
-/// two, or are not).
+/// Whether frames with both settings are drawn by the same pipelines and the same code of theirs (which llvmpipe makes
+/// for sides that are powers of two, or are not).
 bool sameCode(const render::FrameSettings& a, const render::FrameSettings& b) {
   return a.shadowMode == b.shadowMode && a.shadowPrecision == b.shadowPrecision &&
          std::has_single_bit(a.shadowResolution) == std::has_single_bit(b.shadowResolution);
@@ -117,7 +119,8 @@ Result<render::FrameOutput> Session::buildFrame(render::Graph& graph, const Fram
   takeTimes(currentSlot());
 
   const std::pair size{request.width, request.height};
-  render::Renderer::Input input{level_->scene, level_->worldFromNode(request.seconds), request.camera, level_->lights(request.seconds)};
+  render::Renderer::Input input{level_->scene, level_->worldFromNode(request.seconds), request.camera,
+                                level_->lights(request.seconds)};
   input.width = request.width;
   input.height = request.height;
   input.seconds = request.seconds;
@@ -173,7 +176,8 @@ void Session::takeTimes(Slot& slot) {
   if (!slot.waiting) return;
   slot.waiting = false;
   const std::vector<double> spans = slot.timestamps.milliseconds();
-  TY_ASSERT(spans.size() == slot.passes.size(), std::to_string(spans.size()) + " times for " + std::to_string(slot.passes.size()) + " passes");
+  TY_ASSERT(spans.size() == slot.passes.size(),
+            std::to_string(spans.size()) + " times for " + std::to_string(slot.passes.size()) + " passes");
   for (std::size_t i = 0; i < spans.size(); ++i) slot.passes[i].milliseconds = spans[i];
   lastTimes_ = slot.passes;
   ++finished_;
@@ -228,7 +232,8 @@ std::vector<std::string> Session::reloadShaders() {
 
 std::uint32_t Session::maxSide() const {
   const VkPhysicalDeviceLimits& limits = device_->info().limits;
-  return std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight, image::kMaxSide});
+  return std::min(
+      {limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight, image::kMaxSide});
 }
 
 }  // namespace tyndall::app

@@ -2,9 +2,9 @@
 
 #include "app/presets.hpp"
 
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <cerrno>
 
 #include "base/file.hpp"
 
@@ -19,10 +19,12 @@ Result<std::unique_ptr<Catalogue>> loadSettings(const SettingsOptions& options) 
     if (!file) return file.error();
     auto text = readText(*file, 1u << 20);  // a preset is a page of text; 1 MiB is generous
     if (!text) return Error{"--preset " + text.error().message, text.error().kind};
-    if (auto read = table.readPreset(*text, file->string()); !read) return Error{"--preset " + read.error().message, read.error().kind};
+    if (auto read = table.readPreset(*text, file->string()); !read)
+      return Error{"--preset " + read.error().message, read.error().kind};
   }
   for (const std::string& assignment : options.assignments)
-    if (auto set = table.setAssignment(assignment); !set) return Error{"--set " + set.error().message, set.error().kind};
+    if (auto set = table.setAssignment(assignment); !set)
+      return Error{"--set " + set.error().message, set.error().kind};
   return catalogue;
 }
 

@@ -39,8 +39,10 @@ Json notBuilt(const params::Parameter& parameter) {
   Json list = Json::array();
   for (std::size_t i = 0; i < parameter.built.size(); ++i) {
     if (parameter.built[i]) continue;
-    if (parameter.type == params::Type::kEnum) list.push_back(parameter.choices[i]);
-    else list.push_back(i == 1);
+    if (parameter.type == params::Type::kEnum)
+      list.push_back(parameter.choices[i]);
+    else
+      list.push_back(i == 1);
   }
   return list;
 }
@@ -78,7 +80,8 @@ double ownedMs(const RenderRun& run, const std::string& owner) {
 
 }  // namespace
 
-std::string statsJson(const RenderOptions& options, Session& session, const RenderRun& run, const std::vector<std::string>& notes) {
+std::string statsJson(const RenderOptions& options, Session& session, const RenderRun& run,
+                      const std::vector<std::string>& notes) {
   const Catalogue& catalogue = session.catalogue();
   Json j;
   j["device"] = session.device().info().name;
@@ -90,14 +93,16 @@ std::string statsJson(const RenderOptions& options, Session& session, const Rend
   j["frames"] = options.frames;
   j["gpu_ms"] = totalMs(run.passes);
   j["passes"] = Json::array();
-  for (const render::PassTime& pass : run.passes) j["passes"].push_back({{"name", pass.name}, {"owner", pass.owner}, {"gpu_ms", pass.milliseconds}});
+  for (const render::PassTime& pass : run.passes)
+    j["passes"].push_back({{"name", pass.name}, {"owner", pass.owner}, {"gpu_ms", pass.milliseconds}});
   // A light's own time is that of its passes; its memory is what they touch, in turn with the other lights.
   Json lights = Json::array();
   const std::vector<std::uint64_t> bytes = session.effect().lightMemoryBytes();
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     double ms = 0;
     for (const render::PassTime& pass : run.passes)
-      if (pass.owner == catalogue.effectPlugin().id() && pass.name.ends_with(" [light " + std::to_string(i) + "]")) ms += pass.milliseconds;
+      if (pass.owner == catalogue.effectPlugin().id() && pass.name.ends_with(" [light " + std::to_string(i) + "]"))
+        ms += pass.milliseconds;
     lights.push_back({{"light", i}, {"gpu_ms", ms}, {"memory_bytes", bytes[i]}});
   }
   Json skipped = Json::object();
@@ -111,10 +116,19 @@ std::string statsJson(const RenderOptions& options, Session& session, const Rend
   for (const auto& [id, value] : session.effect().resolved()) resolved[id] = value;
   j["resolved"] = resolved;
   j["unused_settings"] = catalogue.unusedSettings();
-  j["memory"] = {{"device_bytes", run.deviceBytes}, {"transient_bytes", run.transientBytes}, {"kept", Json::array()}, {"passing", Json::array()}};
-  for (const ResourceMemory& m : keptMemory(session.device())) j["memory"]["kept"].push_back({{"name", m.name}, {"what", m.what}, {"bytes", m.bytes}});
+  j["memory"] = {{"device_bytes", run.deviceBytes},
+                 {"transient_bytes", run.transientBytes},
+                 {"kept", Json::array()},
+                 {"passing", Json::array()}};
+  for (const ResourceMemory& m : keptMemory(session.device()))
+    j["memory"]["kept"].push_back({{"name", m.name}, {"what", m.what}, {"bytes", m.bytes}});
   for (const ResourceMemory& m : passingMemory(session))
-    j["memory"]["passing"].push_back({{"name", m.name}, {"owner", m.owner}, {"what", m.what}, {"bytes", m.bytes}, {"first_pass", m.firstPass}, {"last_pass", m.lastPass}});
+    j["memory"]["passing"].push_back({{"name", m.name},
+                                      {"owner", m.owner},
+                                      {"what", m.what},
+                                      {"bytes", m.bytes},
+                                      {"first_pass", m.firstPass},
+                                      {"last_pass", m.lastPass}});
   j["notes"] = notes;
   j["settings"] = Json::object();
   for (const params::Parameter& parameter : catalogue.table().parameters())
@@ -122,22 +136,32 @@ std::string statsJson(const RenderOptions& options, Session& session, const Rend
   return dump(j);
 }
 
-std::string describeJson(const Catalogue& catalogue, const std::vector<DebugViewText>& views, const std::vector<AutomaticText>& automatics) {
+std::string describeJson(const Catalogue& catalogue, const std::vector<DebugViewText>& views,
+                         const std::vector<AutomaticText>& automatics) {
   Json j;
   j["plugins"] = Json::array();
   for (const auto& plugin : catalogue.plugins()) {
     Json techniques = Json::array();
-    for (const host::TechniqueInfo& t : plugin->techniques()) techniques.push_back({{"id", t.id}, {"name", t.name}, {"doc", t.doc}, {"reads", t.reads}});
-    j["plugins"].push_back({{"id", plugin->id()}, {"name", plugin->name()}, {"version", plugin->version()}, {"doc", plugin->doc()},
-                            {"path", plugin->path().string()}, {"techniques", techniques}});
+    for (const host::TechniqueInfo& t : plugin->techniques())
+      techniques.push_back({{"id", t.id}, {"name", t.name}, {"doc", t.doc}, {"reads", t.reads}});
+    j["plugins"].push_back({{"id", plugin->id()},
+                            {"name", plugin->name()},
+                            {"version", plugin->version()},
+                            {"doc", plugin->doc()},
+                            {"path", plugin->path().string()},
+                            {"techniques", techniques}});
   }
   j["parameters"] = Json::array();
-  for (const params::Parameter& parameter : catalogue.table().parameters()) j["parameters"].push_back(parameterJson(parameter));
+  for (const params::Parameter& parameter : catalogue.table().parameters())
+    j["parameters"].push_back(parameterJson(parameter));
   j["debug_views"] = Json::array();
-  for (const DebugViewText& view : views) j["debug_views"].push_back({{"name", view.name}, {"owner", view.owner}, {"doc", view.doc}, {"techniques", view.techniques}});
+  for (const DebugViewText& view : views)
+    j["debug_views"].push_back(
+        {{"name", view.name}, {"owner", view.owner}, {"doc", view.doc}, {"techniques", view.techniques}});
   j["automatic"] = Json::array();
   for (const AutomaticText& a : automatics)
-    j["automatic"].push_back({{"technique", a.technique}, {"parameter", a.parameter}, {"value", a.value.empty() ? Json() : Json(a.value)}});
+    j["automatic"].push_back(
+        {{"technique", a.technique}, {"parameter", a.parameter}, {"value", a.value.empty() ? Json() : Json(a.value)}});
   return dump(j);
 }
 

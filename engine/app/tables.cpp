@@ -34,10 +34,12 @@ std::string statsTable(const RenderOptions& options, Session& session, const Ren
   text += padded("pass", nameWidth) + "  " + padded("owner", ownerWidth) + "      gpu ms\n";
   double owned = 0;
   for (const render::PassTime& pass : run.passes) {
-    text += padded(pass.name, nameWidth) + "  " + padded(pass.owner, ownerWidth) + "  " + milliseconds(pass.milliseconds) + "\n";
+    text += padded(pass.name, nameWidth) + "  " + padded(pass.owner, ownerWidth) + "  " +
+            milliseconds(pass.milliseconds) + "\n";
     if (pass.owner == session.catalogue().effectPlugin().id()) owned += pass.milliseconds;
   }
-  text += padded("of these", nameWidth) + "  " + padded(session.catalogue().effectPlugin().id(), ownerWidth) + "  " + milliseconds(owned) + "\n";
+  text += padded("of these", nameWidth) + "  " + padded(session.catalogue().effectPlugin().id(), ownerWidth) + "  " +
+          milliseconds(owned) + "\n";
   text += padded("total", nameWidth) + "  " + padded("", ownerWidth) + "  " + milliseconds(totalMs(run.passes)) + "\n";
   return text;
 }

@@ -14,7 +14,8 @@ namespace {
 image::FloatImage scatterImage(const truth::Picture& picture) {
   image::FloatImage result{picture.width, picture.height, 4, {}};
   result.values.reserve(picture.scatter.size() * 4);
-  for (const glm::vec4& pixel : picture.scatter) result.values.insert(result.values.end(), {pixel.r, pixel.g, pixel.b, pixel.a});
+  for (const glm::vec4& pixel : picture.scatter)
+    result.values.insert(result.values.end(), {pixel.r, pixel.g, pixel.b, pixel.a});
   return result;
 }
 
@@ -46,14 +47,25 @@ Result<void> runTruth(const TruthOptions& options) {
   settings.height = options.size.second;
   settings.seconds = options.seconds;
   settings.samples = options.samples;
-  for (const auto& [id, target] : {std::pair{"medium.sigma_t", &settings.medium.sigma_t}, {"medium.albedo", &settings.medium.albedo}, {"medium.g", &settings.medium.g}}) {
-    if (!table.find(id)) return failed("truth: the plugin in use has no parameter " + std::string(id) + "; the volumetrics plugin is needed");
+  for (const auto& [id, target] : {std::pair{"medium.sigma_t", &settings.medium.sigma_t},
+                                   {"medium.albedo", &settings.medium.albedo},
+                                   {"medium.g", &settings.medium.g}}) {
+    if (!table.find(id))
+      return failed("truth: the plugin in use has no parameter " + std::string(id) +
+                    "; the volumetrics plugin is needed");
     *target = table.value(id);
   }
   auto picture = truth::render(level->scene, *camera, level->lights(options.seconds), settings);
   if (!picture) return picture.error();
-  if (auto done = outputs.write("--out", [&](const Path& p) { return image::writeExr(p, scatterImage(*picture)); }); !done) return done;
-  if (auto done = outputs.write("--depth", [&](const Path& p) { return image::writeExr(p, {picture->width, picture->height, 1, picture->distance}); }); !done) return done;
+  if (auto done = outputs.write("--out", [&](const Path& p) { return image::writeExr(p, scatterImage(*picture)); });
+      !done)
+    return done;
+  if (auto done = outputs.write("--depth",
+                                [&](const Path& p) {
+                                  return image::writeExr(p, {picture->width, picture->height, 1, picture->distance});
+                                });
+      !done)
+    return done;
   if (auto done = outputs.commit(); !done) return done;
 
   std::vector<std::string> warnings = (*catalogue)->warnings();

@@ -18,26 +18,30 @@ bool readDigits(const std::string& text, std::uint64_t& value) {
 
 }  // namespace
 
-Result<std::uint32_t> readCount(const std::string& option, const std::string& text, std::uint32_t low, std::uint32_t high) {
+Result<std::uint32_t> readCount(const std::string& option, const std::string& text, std::uint32_t low,
+                                std::uint32_t high) {
   std::uint64_t value = 0;
   if (!readDigits(text, value) || value < low || value > high)
-    return badCall(option + " '" + text + "': must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return badCall(option + " '" + text + "': must be a whole number from " + std::to_string(low) + " to " +
+                   std::to_string(high));
   return static_cast<std::uint32_t>(value);
 }
 
 Result<std::pair<std::uint32_t, std::uint32_t>> readSize(const std::string& option, const std::string& text) {
   const std::size_t cross = text.find('x');
   std::uint64_t width = 0, height = 0;
-  if (cross == std::string::npos || !readDigits(text.substr(0, cross), width) || !readDigits(text.substr(cross + 1), height) || width < 1 || height < 1)
+  if (cross == std::string::npos || !readDigits(text.substr(0, cross), width) ||
+      !readDigits(text.substr(cross + 1), height) || width < 1 || height < 1)
     return badCall(option + " '" + text + "': must be WIDTHxHEIGHT in pixels, each 1 or more, such as 1280x720");
   constexpr std::uint64_t top = std::numeric_limits<std::uint32_t>::max();
   return std::pair{static_cast<std::uint32_t>(std::min(width, top)), static_cast<std::uint32_t>(std::min(height, top))};
 }
 
-Result<void> checkSize(const std::string& option, std::pair<std::uint32_t, std::uint32_t> size, std::uint32_t limit, const std::string& what) {
+Result<void> checkSize(const std::string& option, std::pair<std::uint32_t, std::uint32_t> size, std::uint32_t limit,
+                       const std::string& what) {
   if (size.first <= limit && size.second <= limit) return {};
-  return badCall(option + " " + std::to_string(size.first) + "x" + std::to_string(size.second) + ": " + what + " at most " + std::to_string(limit) +
-                 " pixels a side");
+  return badCall(option + " " + std::to_string(size.first) + "x" + std::to_string(size.second) + ": " + what +
+                 " at most " + std::to_string(limit) + " pixels a side");
 }
 
 Result<double> readSeconds(const std::string& option, const std::string& text) {

@@ -37,7 +37,8 @@ Result<std::vector<std::byte>> readFile(const fs::path& path, std::uint64_t maxB
   if (!S_ISREG(info.st_mode)) return failed(path.string() + ": is not a regular file");
   const auto size = static_cast<std::uint64_t>(info.st_size);
   if (size > maxBytes)
-    return failed(path.string() + ": is " + std::to_string(size) + " bytes long; at most " + std::to_string(maxBytes) + " are read");
+    return failed(path.string() + ": is " + std::to_string(size) + " bytes long; at most " + std::to_string(maxBytes) +
+                  " are read");
   std::vector<std::byte> bytes(size);
   std::size_t done = 0;
   while (done < bytes.size()) {
@@ -95,9 +96,12 @@ fs::path executableFolder() {
 
 fs::path cacheFolder() {
   fs::path folder;
-  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg) folder = fs::path(xdg) / "tyndall";
-  else if (const char* home = std::getenv("HOME"); home && *home) folder = fs::path(home) / ".cache" / "tyndall";
-  else return {};
+  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg)
+    folder = fs::path(xdg) / "tyndall";
+  else if (const char* home = std::getenv("HOME"); home && *home)
+    folder = fs::path(home) / ".cache" / "tyndall";
+  else
+    return {};
   std::error_code failedCode;
   fs::create_directories(folder, failedCode);
   return failedCode ? fs::path{} : folder;

@@ -44,11 +44,14 @@ class Progress {
   }
   bool tell(const std::string& what, std::size_t done, std::size_t all) {
     if (terminal_) {
-      const double share = (static_cast<double>(view_) + static_cast<double>(done) / static_cast<double>(all)) / static_cast<double>(views_);
+      const double share = (static_cast<double>(view_) + static_cast<double>(done) / static_cast<double>(all)) /
+                           static_cast<double>(views_);
       const double passed = seconds() - start_;
       char left[48] = "";
-      if (share > 0.01) std::snprintf(left, sizeof left, ", about %.0f min left", passed / share * (1 - share) / 60 + 0.5);
-      std::fprintf(stderr, "\r\033[Ktyndall: bench: %s (view %zu of %zu), %s %zu/%zu%s", name_.c_str(), view_ + 1, views_, what.c_str(), done, all, left);
+      if (share > 0.01)
+        std::snprintf(left, sizeof left, ", about %.0f min left", passed / share * (1 - share) / 60 + 0.5);
+      std::fprintf(stderr, "\r\033[Ktyndall: bench: %s (view %zu of %zu), %s %zu/%zu%s", name_.c_str(), view_ + 1,
+                   views_, what.c_str(), done, all, left);
     }
     return interrupted == 0;
   }
@@ -83,38 +86,46 @@ Result<void> writeAll(const Results& results, const std::filesystem::path& folde
 }
 
 Result<void> compare(const std::vector<std::filesystem::path>& files) {
-  if (files.size() != 2) return badCall("--compare: has " + std::to_string(files.size()) + " files; two results.json would be right");
+  if (files.size() != 2)
+    return badCall("--compare: has " + std::to_string(files.size()) + " files; two results.json would be right");
   auto a = readFileOfResults(files[0]);
   if (!a) return Error{"--compare " + a.error().message, a.error().kind};
   auto b = readFileOfResults(files[1]);
   if (!b) return Error{"--compare " + b.error().message, b.error().kind};
-  const std::string text = "a: " + files[0].string() + ", " + a->device + "\nb: " + files[1].string() + ", " + b->device + "\n" + compareResults(*a, *b);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) return failed("standard output: cannot be written");
+  const std::string text = "a: " + files[0].string() + ", " + a->device + "\nb: " + files[1].string() + ", " +
+                           b->device + "\n" + compareResults(*a, *b);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    return failed("standard output: cannot be written");
   return {};
 }
 
 /// Results that lie in the folder and were measured the same way, or new ones.
-Result<Results> begin(const app::BenchOptions& options, const std::filesystem::path& folder, const Sweep& sweep, const gpu::DeviceInfo& device) {
+Result<Results> begin(const app::BenchOptions& options, const std::filesystem::path& folder, const Sweep& sweep,
+                      const gpu::DeviceInfo& device) {
   Results results;
-  results.device = device.name, results.driver = device.driver, results.sweep = sweep.name, results.started = now(), results.settings = sweep.settings,
-  results.repetitions = sweep.repetitions;
+  results.device = device.name, results.driver = device.driver, results.sweep = sweep.name, results.started = now(),
+  results.settings = sweep.settings, results.repetitions = sweep.repetitions;
   results.command = "tyndall bench";
   for (const std::string& level : options.levels) results.command += " " + level;
   results.command += " --sweep " + options.sweep;
-  if (options.size) results.command += " --size " + std::to_string(sweep.size.first) + "x" + std::to_string(sweep.size.second);
+  if (options.size)
+    results.command += " --size " + std::to_string(sweep.size.first) + "x" + std::to_string(sweep.size.second);
   if (options.repetitions) results.command += " --repetitions " + std::to_string(sweep.repetitions);
   const auto file = folder / "results.json";
   if (options.fresh || !std::filesystem::exists(file)) return results;
   auto earlier = readFileOfResults(file);
   if (!earlier) return earlier.error();
   if (earlier->device != results.device || earlier->driver != results.driver)
-    return failed(file.string() + ": was measured on " + earlier->device + ", " + earlier->driver + ", this is " + results.device + ", " + results.driver +
+    return failed(file.string() + ": was measured on " + earlier->device + ", " + earlier->driver + ", this is " +
+                  results.device + ", " + results.driver +
                   "; another --out, or --fresh to measure everything again, is needed");
   if (earlier->sweep != results.sweep || earlier->settings != results.settings)
-    return failed(file.string() + ": is of another sweep or of other common settings; another --out, or --fresh, is needed");
+    return failed(file.string() +
+                  ": is of another sweep or of other common settings; another --out, or --fresh, is needed");
   if (earlier->repetitions != 0 && earlier->repetitions != results.repetitions)
-    return failed(file.string() + ": was measured with " + std::to_string(earlier->repetitions) + " repetitions, this call has " + std::to_string(results.repetitions) +
-                  "; --repetitions " + std::to_string(earlier->repetitions) + ", another --out, or --fresh, is needed");
+    return failed(file.string() + ": was measured with " + std::to_string(earlier->repetitions) +
+                  " repetitions, this call has " + std::to_string(results.repetitions) + "; --repetitions " +
+                  std::to_string(earlier->repetitions) + ", another --out, or --fresh, is needed");
   // What failed is tried again.
   std::erase_if(earlier->points, [](const PointFigures& p) { return !p.failure.empty(); });
   return earlier;
@@ -125,10 +136,13 @@ Result<void> measure(const app::BenchOptions& options) {
   if (!sweep) return sweep.error();
   if (options.size) sweep->size = *options.size;
   if (options.repetitions) sweep->repetitions = *options.repetitions;
-  const std::vector<std::string> levels = !options.levels.empty() ? options.levels : !sweep->levels.empty() ? sweep->levels : app::sampleLevels();
+  const std::vector<std::string> levels = !options.levels.empty()  ? options.levels
+                                          : !sweep->levels.empty() ? sweep->levels
+                                                                   : app::sampleLevels();
   for (const std::string& level : levels)
     if (auto found = app::findLevel(level); !found) return found.error();
-  const std::filesystem::path folder = options.out.empty() ? std::filesystem::path("out") / "bench" / sweep->name : options.out;
+  const std::filesystem::path folder =
+      options.out.empty() ? std::filesystem::path("out") / "bench" / sweep->name : options.out;
   std::error_code bad;
   std::filesystem::create_directories(folder, bad);
   if (bad) return failed("--out " + folder.string() + ": cannot be made: " + bad.message());
@@ -147,31 +161,52 @@ Result<void> measure(const app::BenchOptions& options) {
 
   const auto earlier = std::signal(SIGINT, interrupt);
   Progress progress(levels.size() * sweep->cameras.size());
-  const Watcher watcher{[&](const std::string& what, std::size_t done, std::size_t all) { return progress.tell(what, done, all); }};
+  const Watcher watcher{
+      [&](const std::string& what, std::size_t done, std::size_t all) { return progress.tell(what, done, all); }};
   std::size_t view = 0;
   Result<void> outcome;
   for (std::size_t l = 0; l < levels.size() && outcome; ++l) {
     for (const std::uint32_t camera : sweep->cameras) {
       progress.begin(view++, levels[l] + " camera " + std::to_string(camera));
       auto level = app::loadLevel(levels[l]);
-      if (!level) { outcome = level.error(); break; }
+      if (!level) {
+        outcome = level.error();
+        break;
+      }
       if (camera >= level->cameras(0).size() && camera > 0) {
         std::fprintf(stderr, "tyndall: note: bench: %s has no camera %u; left out\n", levels[l].c_str(), camera);
         continue;
       }
-      if (auto set = (*stand)->setLevel(level.take()); !set) { outcome = set; break; }
+      if (auto set = (*stand)->setLevel(level.take()); !set) {
+        outcome = set;
+        break;
+      }
       auto planned = pointsOf(*sweep, (*stand)->catalogue(), levels[l], camera);
-      if (!planned) { outcome = planned.error(); break; }
+      if (!planned) {
+        outcome = planned.error();
+        break;
+      }
       auto went = measureView(**stand, *sweep, *(*stand)->session().level(), camera, *planned, *results, watcher);
-      if (!went) { outcome = went.error(); break; }
-      if (!*went) { outcome = failed("bench: interrupted in " + levels[l] + "; the same call goes on from there"); break; }
-      if (auto written = writeAll(*results, folder); !written) { outcome = written; break; }
+      if (!went) {
+        outcome = went.error();
+        break;
+      }
+      if (!*went) {
+        outcome = failed("bench: interrupted in " + levels[l] + "; the same call goes on from there");
+        break;
+      }
+      if (auto written = writeAll(*results, folder); !written) {
+        outcome = written;
+        break;
+      }
     }
   }
   std::signal(SIGINT, earlier);
   if (!outcome) return outcome;
-  const std::string text = (folder / "results.json").string() + "\n" + (folder / "results.csv").string() + "\n" + (folder / "report.html").string() + "\n";
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) return failed("standard output: cannot be written");
+  const std::string text = (folder / "results.json").string() + "\n" + (folder / "results.csv").string() + "\n" +
+                           (folder / "report.html").string() + "\n";
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    return failed("standard output: cannot be written");
   return {};
 }
 
@@ -185,7 +220,8 @@ Result<void> runBench(const BenchOptions& options) {
   if (!options.report.empty()) {
     auto text = readText(options.report, 1u << 30);
     if (!text) return Error{"--report " + text.error().message, text.error().kind};
-    return bench::writeReport(*text, options.out.empty() ? options.report.parent_path() / "report.html" : options.out / "report.html");
+    return bench::writeReport(
+        *text, options.out.empty() ? options.report.parent_path() / "report.html" : options.out / "report.html");
   }
   return bench::measure(options);
 }

@@ -47,14 +47,21 @@ struct Measured {
     if (!failure.empty()) return;
     f.gpu = spreadOf(gpu), f.volumetrics = spreadOf(effect), f.shadows = spreadOf({shadows});
     for (const auto& [name, owner] : passOrder) f.passes.push_back({name, owner, spreadOf(passes.at(name)).median});
-    f.memoryBytes = memory, f.movedBytes = moved, f.truth = truth, f.march = march, f.motionError = motionError, f.flicker = flicker;
+    f.memoryBytes = memory, f.movedBytes = moved, f.truth = truth, f.march = march, f.motionError = motionError,
+    f.flicker = flicker;
   }
 };
 
 class View {
  public:
-  View(Stand& stand, const Sweep& sweep, const app::Level& level, std::uint32_t camera, const scene::CameraView& view, const Watcher& watcher)
-      : stand_(stand), sweep_(sweep), level_(level), cameraIndex_(camera), camera_(view), watcher_(watcher),
+  View(Stand& stand, const Sweep& sweep, const app::Level& level, std::uint32_t camera, const scene::CameraView& view,
+       const Watcher& watcher)
+      : stand_(stand),
+        sweep_(sweep),
+        level_(level),
+        cameraIndex_(camera),
+        camera_(view),
+        watcher_(watcher),
         lights_(lightsInPicture(level.lights(0), view, sweep.errorSize)) {}
 
   /// False: stopped.
@@ -62,17 +69,23 @@ class View {
     truth::Medium medium;
     if (auto applied = applySettings(stand_.session().table(), sweep_.settings); !applied) return applied.error();
     const params::Table& table = stand_.session().table();
-    for (const auto& [id, target] : {std::pair{"medium.sigma_t", &medium.sigma_t}, {"medium.albedo", &medium.albedo}, {"medium.g", &medium.g}}) {
-      if (!table.find(id)) return failed("bench: the plugin in use has no parameter " + std::string(id) + "; the volumetrics plugin is needed");
+    for (const auto& [id, target] :
+         {std::pair{"medium.sigma_t", &medium.sigma_t}, {"medium.albedo", &medium.albedo}, {"medium.g", &medium.g}}) {
+      if (!table.find(id))
+        return failed("bench: the plugin in use has no parameter " + std::string(id) +
+                      "; the volumetrics plugin is needed");
       *target = table.value(id);
     }
     bool go = true;
-    const auto progress = [&](double share) { return go = watcher_.tell("truth " + std::to_string(static_cast<int>(100 * share)) + " %", 0, 1); };
+    const auto progress = [&](double share) {
+      return go = watcher_.tell("truth " + std::to_string(static_cast<int>(100 * share)) + " %", 0, 1);
+    };
     auto truth = truthOf(level_, cameraIndex_, {}, sweep_.errorSize, 0, medium, sweep_.truthSamples, progress);
     if (!go) return false;
     if (!truth) return truth.error();
     truth_ = truth.take();
-    auto half = truthOf(level_, cameraIndex_, {}, sweep_.errorSize, 0, medium, std::max(1u, sweep_.truthSamples / 2), progress);
+    auto half =
+        truthOf(level_, cameraIndex_, {}, sweep_.errorSize, 0, medium, std::max(1u, sweep_.truthSamples / 2), progress);
     if (!go) return false;
     if (!half) return half.error();
     if (auto self = splitErrors(truth_.scatter, half->scatter, {}, {})) truthSelf = self->all->nrmse;
@@ -132,7 +145,10 @@ class View {
     for (std::uint32_t i = 0; i < sweep_.motion.frames; ++i) {
       const scene::CameraView camera = turned(camera_, {sweep_.motion.turn * i, 0});
       // Two frames at the first place: the first compiles and starts afresh what is kept from frame to frame.
-      if (auto done = stand_.render(settings, camera, sweep_.errorSize, sweep_.motion.seconds * i, i == 0 ? 2 : 1, true); !done) return done;
+      if (auto done =
+              stand_.render(settings, camera, sweep_.errorSize, sweep_.motion.seconds * i, i == 0 ? 2 : 1, true);
+          !done)
+        return done;
       frames.push_back(stand_.scatter());
     }
     return {};
@@ -168,8 +184,8 @@ LevelFigures figuresOf(const app::Level& level, std::uint32_t camera, const Swee
 
 }  // namespace
 
-Result<bool> measureView(Stand& stand, const Sweep& sweep, const app::Level& level, std::uint32_t camera, const std::vector<PlannedPoint>& planned, Results& results,
-                         const Watcher& watcher) {
+Result<bool> measureView(Stand& stand, const Sweep& sweep, const app::Level& level, std::uint32_t camera,
+                         const std::vector<PlannedPoint>& planned, Results& results, const Watcher& watcher) {
   auto chosen = app::chooseCamera(level, camera, 0);
   if (!chosen) return chosen.error();
   std::vector<std::string> order;
@@ -190,7 +206,7 @@ Result<bool> measureView(Stand& stand, const Sweep& sweep, const app::Level& lev
   const auto go = [&] { return watcher.tell("points", done++, steps); };
   const std::string& effect = stand.catalogue().effectPlugin().id();
   std::map<std::string, Assignments> choices;  // of each technique, what is left to measurement
-  std::map<std::string, double> shadowTimes;  // by the settings of shadow maps
+  std::map<std::string, double> shadowTimes;   // by the settings of shadow maps
   const auto takeShadows = [&](Measured& m) -> Result<void> {
     std::string of = std::to_string(m.size.first) + "x" + std::to_string(m.size.second);
     for (const auto& [id, value] : m.settings)
@@ -208,8 +224,8 @@ Result<bool> measureView(Stand& stand, const Sweep& sweep, const app::Level& lev
   for (const std::string& name : order) {
     if (!go()) return false;
     Measured& m = measured.at(name);
-    // What is chosen by measurement depends on the maps, not on the picture: a small one will do. Where every technique is tried with defaults first,
-    // what was chosen there holds for its other points.
+    // What is chosen by measurement depends on the maps, not on the picture: a small one will do. Where every technique
+    // is tried with defaults first, what was chosen there holds for its other points.
     Result<void> ok{};
     if (const auto known = choices.find(m.technique); sweep.everyTechnique && known != choices.end()) {
       m.settings.insert(known->second.begin(), known->second.end());

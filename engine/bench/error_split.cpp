@@ -6,9 +6,9 @@
 namespace tyndall::bench {
 namespace {
 
-constexpr float kLightRadius = 16;          // pixels
-constexpr float kDepthStep = 0.05f;         // of the smaller distance
-constexpr float kOtherSurface = 0.01f;      // of transmittance
+constexpr float kLightRadius = 16;      // pixels
+constexpr float kDepthStep = 0.05f;     // of the smaller distance
+constexpr float kOtherSurface = 0.01f;  // of transmittance
 
 enum class Part { kSilhouette, kInterior, kLight };
 
@@ -28,11 +28,13 @@ struct Sums {
     const auto count = static_cast<double>(values.size());
     const auto rank = static_cast<std::size_t>(std::ceil(0.99 * count)) - 1;
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
-    return Errors{std::sqrt(squares / count) / mean, static_cast<double>(values[rank]) / mean, greatest / mean, signedSum / count / mean, values.size() / 3};
+    return Errors{std::sqrt(squares / count) / mean, static_cast<double>(values[rank]) / mean, greatest / mean,
+                  signedSum / count / mean, values.size() / 3};
   }
 };
 
-bool stepBeside(const std::vector<float>& distance, std::uint32_t width, std::uint32_t height, std::uint32_t x, std::uint32_t y) {
+bool stepBeside(const std::vector<float>& distance, std::uint32_t width, std::uint32_t height, std::uint32_t x,
+                std::uint32_t y) {
   const float own = distance[std::size_t{y} * width + x];
   for (std::uint32_t v = y > 0 ? y - 1 : 0; v <= std::min(y + 1, height - 1); ++v)
     for (std::uint32_t u = x > 0 ? x - 1 : 0; u <= std::min(x + 1, width - 1); ++u) {
@@ -44,13 +46,15 @@ bool stepBeside(const std::vector<float>& distance, std::uint32_t width, std::ui
 
 }  // namespace
 
-std::vector<glm::vec2> lightsInPicture(const std::vector<scene::LightView>& lights, const scene::CameraView& camera, Size size) {
+std::vector<glm::vec2> lightsInPicture(const std::vector<scene::LightView>& lights, const scene::CameraView& camera,
+                                       Size size) {
   const glm::vec2 pixels(static_cast<float>(size.first), static_cast<float>(size.second));
   const glm::mat3 axes(camera.worldFromView);
   const glm::vec3 eye(camera.worldFromView[3]);
   std::vector<glm::vec2> places;
   for (const scene::LightView& light : lights) {
-    const glm::vec3 towards = light.light.kind == scene::LightKind::kDirectional ? -light.direction : light.position - eye;
+    const glm::vec3 towards =
+        light.light.kind == scene::LightKind::kDirectional ? -light.direction : light.position - eye;
     const glm::vec3 v = glm::transpose(axes) * towards;
     if (v.z >= 0) continue;
     const float reach = std::tan(0.5f * camera.camera.yfov);
@@ -68,7 +72,9 @@ bool insidePicture(const std::vector<glm::vec2>& places, Size size) {
 
 image::FloatImage onSameSurface(const image::FloatImage& picture, const image::FloatImage& reference) {
   image::FloatImage result = picture;
-  if (picture.width != reference.width || picture.height != reference.height || picture.channels != 4 || reference.channels != 4) return result;
+  if (picture.width != reference.width || picture.height != reference.height || picture.channels != 4 ||
+      reference.channels != 4)
+    return result;
   for (std::uint32_t y = 0; y < picture.height; ++y)
     for (std::uint32_t x = 0; x < picture.width; ++x)
       if (std::abs(picture.at(x, y, 3) - reference.at(x, y, 3)) > kOtherSurface)
@@ -76,12 +82,13 @@ image::FloatImage onSameSurface(const image::FloatImage& picture, const image::F
   return result;
 }
 
-Result<SplitErrors> splitErrors(const image::FloatImage& picture, const image::FloatImage& reference, const std::vector<float>& distance,
-                                const std::vector<glm::vec2>& lights) {
+Result<SplitErrors> splitErrors(const image::FloatImage& picture, const image::FloatImage& reference,
+                                const std::vector<float>& distance, const std::vector<glm::vec2>& lights) {
   const std::uint32_t width = reference.width, height = reference.height;
   if (picture.width != width || picture.height != height || picture.channels != 4 || reference.channels != 4)
     return failed("pictures of different sizes or channels cannot be compared");
-  if (!distance.empty() && distance.size() != std::size_t{width} * height) return failed("the distances are of another size than the picture");
+  if (!distance.empty() && distance.size() != std::size_t{width} * height)
+    return failed("the distances are of another size than the picture");
   double sum = 0;
   for (std::uint32_t y = 0; y < height; ++y)
     for (std::uint32_t x = 0; x < width; ++x)
@@ -98,7 +105,8 @@ Result<SplitErrors> splitErrors(const image::FloatImage& picture, const image::F
     for (std::uint32_t x = 0; x < width; ++x) {
       const glm::vec2 at(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
       Part part = Part::kInterior;
-      if (std::abs(picture.at(x, y, 3) - reference.at(x, y, 3)) > kOtherSurface || (!distance.empty() && stepBeside(distance, width, height, x, y)))
+      if (std::abs(picture.at(x, y, 3) - reference.at(x, y, 3)) > kOtherSurface ||
+          (!distance.empty() && stepBeside(distance, width, height, x, y)))
         part = Part::kSilhouette;
       for (const glm::vec2& light : lights)
         if (glm::length(light - at) <= kLightRadius) part = Part::kLight;

@@ -5,8 +5,8 @@
 namespace tyndall::bench {
 namespace {
 
-// The host gives each variant of an automatic parameter this many frames; one that stood for as long has been decided. More frames than the longest
-// list of variants needs are not spent.
+// The host gives each variant of an automatic parameter this many frames; one that stood for as long has been decided.
+// More frames than the longest list of variants needs are not spent.
 constexpr int kFramesPerVariant = 4, kMostWarmUp = 64;
 
 }  // namespace
@@ -30,14 +30,16 @@ Result<void> Stand::frame(const app::FrameRequest& request, bool scatter) {
   auto output = session_->buildFrame(graph, request);
   if (!output) return output.error();
   // The picture is always read: the graph drops passes that nobody needs, and the times are of the whole frame.
-  if (auto added = readback_.addPasses(*session_, graph, *output, request, {true, scatter, false}); !added) return added;
+  if (auto added = readback_.addPasses(*session_, graph, *output, request, {true, scatter, false}); !added)
+    return added;
   if (auto submitted = session_->submitFrame(graph); !submitted) return submitted;
   if (auto finished = session_->finishFrames(); !finished) return finished;
   if (session_->effect().failure()) return *session_->effect().failure();
   return {};
 }
 
-Result<void> Stand::frames(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int count, bool scatter, bool keepShadows) {
+Result<void> Stand::frames(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds,
+                           int count, bool scatter, bool keepShadows) {
   if (auto applied = applySettings(session_->table(), settings); !applied) return applied;
   if (auto kept = session_->table().setText("shadows.reuse", keepShadows ? "true" : "false"); !kept) return kept;
   app::FrameRequest request;
@@ -49,11 +51,13 @@ Result<void> Stand::frames(const Assignments& settings, const scene::CameraView&
   return {};
 }
 
-Result<void> Stand::render(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int frameCount, bool scatter) {
+Result<void> Stand::render(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds,
+                           int frameCount, bool scatter) {
   return frames(settings, camera, size, seconds, frameCount, scatter, true);
 }
 
-Result<double> Stand::shadowTime(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds) {
+Result<double> Stand::shadowTime(const Assignments& settings, const scene::CameraView& camera, Size size,
+                                 double seconds) {
   if (auto done = frames(settings, camera, size, seconds, 2, false, false); !done) return done.error();
   double milliseconds = 0;
   for (const render::PassTime& pass : passes_)
@@ -77,7 +81,8 @@ Result<void> Stand::warmUp(const Assignments& settings, const scene::CameraView&
 Result<double> copyRate(app::Session& session) {
   constexpr std::uint64_t kBytes = 64ull << 20;
   const auto make = [&](const char* name) {
-    return session.device().createBuffer({name, kBytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+    return session.device().createBuffer(
+        {name, kBytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
   };
   auto from = make("copy rate, from"), to = make("copy rate, to");
   if (!from) return from.error();
@@ -88,10 +93,14 @@ Result<double> copyRate(app::Session& session) {
     if (!commands) return commands.error();
     render::Graph graph(session.device(), session.graphMemory());
     const render::BufferRef a = graph.import(*from), b = graph.import(*to);
-    graph.pass("copy").use(a, render::Use::kTransferRead).use(b, render::Use::kTransferWrite).keep().run([a, b](render::PassContext& pass) {
-      const VkBufferCopy region{0, 0, kBytes};
-      vkCmdCopyBuffer(pass.commands(), pass.buffer(a), pass.buffer(b), 1, &region);
-    });
+    graph.pass("copy")
+        .use(a, render::Use::kTransferRead)
+        .use(b, render::Use::kTransferWrite)
+        .keep()
+        .run([a, b](render::PassContext& pass) {
+          const VkBufferCopy region{0, 0, kBytes};
+          vkCmdCopyBuffer(pass.commands(), pass.buffer(a), pass.buffer(b), 1, &region);
+        });
     if (auto compiled = graph.compile(); !compiled) return compiled.error();
     auto stamps = gpu::Timestamps::create(session.device(), 4);
     if (!stamps) return stamps.error();

@@ -20,9 +20,11 @@ Spread spreadOf(std::vector<double> values) {
 
 namespace {
 
-/// Student's quantile of 95 % (one side), for degrees of freedom from 2 on; beyond the table by the first term of its expansion in their inverse.
+/// Student's quantile of 95 % (one side), for degrees of freedom from 2 on; beyond the table by the first term of its
+/// expansion in their inverse.
 double quantile95(std::size_t freedom) {
-  constexpr double kTable[] = {2.920, 2.353, 2.132, 2.015, 1.943, 1.895, 1.860, 1.833, 1.812, 1.796, 1.782, 1.771, 1.761, 1.753, 1.746, 1.740, 1.734, 1.729, 1.725};
+  constexpr double kTable[] = {2.920, 2.353, 2.132, 2.015, 1.943, 1.895, 1.860, 1.833, 1.812, 1.796,
+                               1.782, 1.771, 1.761, 1.753, 1.746, 1.740, 1.734, 1.729, 1.725};
   if (freedom < 2 + std::size(kTable)) return kTable[freedom - 2];
   constexpr double kNormal = 1.6449;
   return kNormal + kNormal * (kNormal * kNormal + 1) / (4 * static_cast<double>(freedom));

@@ -92,7 +92,8 @@ Size sizeOf(const Json& json, const std::string& where) {
 }
 
 std::vector<std::string> plotsOf(const Json& json, const std::string& where) {
-  static const std::vector<std::string> known = {"error_time", "knob", "resolution", "map", "lights", "triangles", "motion", "papers"};
+  static const std::vector<std::string> known = {"error_time", "knob",      "resolution", "map",
+                                                 "lights",     "triangles", "motion",     "papers"};
   return listOf<std::string>(json, where, [](const Json& j, const std::string& w) {
     const std::string plot = textOf(j, w);
     if (std::find(known.begin(), known.end(), plot) == known.end()) {
@@ -107,68 +108,79 @@ std::vector<std::string> plotsOf(const Json& json, const std::string& where) {
 Knob knobOf(const Json& json, const std::string& where) {
   Knob knob;
   knob.plots = {"error_time", "knob"};
-  readObject(json, where, {{"id", [&](const Json& j, const std::string& w) { knob.id = textOf(j, w); }},
-                           {"values", [&](const Json& j, const std::string& w) { knob.values = listOf<std::string>(j, w, valueOf); }},
-                           {"together", [&](const Json& j, const std::string& w) { knob.together = listOf<std::string>(j, w, textOf); }},
-                           {"with", [&](const Json& j, const std::string& w) { knob.with = assignmentsOf(j, w); }},
-                           {"plots", [&](const Json& j, const std::string& w) { knob.plots = plotsOf(j, w); }}});
+  readObject(
+      json, where,
+      {{"id", [&](const Json& j, const std::string& w) { knob.id = textOf(j, w); }},
+       {"values", [&](const Json& j, const std::string& w) { knob.values = listOf<std::string>(j, w, valueOf); }},
+       {"together", [&](const Json& j, const std::string& w) { knob.together = listOf<std::string>(j, w, textOf); }},
+       {"with", [&](const Json& j, const std::string& w) { knob.with = assignmentsOf(j, w); }},
+       {"plots", [&](const Json& j, const std::string& w) { knob.plots = plotsOf(j, w); }}});
   if (knob.id.empty() || knob.values.empty()) throw Wrong{where + ": 'id' and 'values' are needed"};
   return knob;
 }
 
 PaperFigure paperOf(const Json& json, const std::string& where) {
   PaperFigure paper;
-  readObject(json, where, {{"paper", [&](const Json& j, const std::string& w) { paper.paper = textOf(j, w); }},
-                           {"table", [&](const Json& j, const std::string& w) { paper.table = textOf(j, w); }},
-                           {"row", [&](const Json& j, const std::string& w) { paper.row = textOf(j, w); }},
-                           {"ms", [&](const Json& j, const std::string& w) { paper.milliseconds = numberOf(j, w); }},
-                           {"ratio", [&](const Json& j, const std::string& w) { paper.ratio = numberOf(j, w); }}});
-  if (paper.paper.empty() || paper.table.empty() || paper.row.empty()) throw Wrong{where + ": 'paper', 'table' and 'row' are needed"};
+  readObject(json, where,
+             {{"paper", [&](const Json& j, const std::string& w) { paper.paper = textOf(j, w); }},
+              {"table", [&](const Json& j, const std::string& w) { paper.table = textOf(j, w); }},
+              {"row", [&](const Json& j, const std::string& w) { paper.row = textOf(j, w); }},
+              {"ms", [&](const Json& j, const std::string& w) { paper.milliseconds = numberOf(j, w); }},
+              {"ratio", [&](const Json& j, const std::string& w) { paper.ratio = numberOf(j, w); }}});
+  if (paper.paper.empty() || paper.table.empty() || paper.row.empty())
+    throw Wrong{where + ": 'paper', 'table' and 'row' are needed"};
   return paper;
 }
 
 Single singleOf(const Json& json, const std::string& where) {
   Single single;
   single.plots = {"error_time"};
-  readObject(json, where, {{"series", [&](const Json& j, const std::string& w) { single.series = textOf(j, w); }},
-                           {"label", [&](const Json& j, const std::string& w) { single.label = textOf(j, w); }},
-                           {"settings", [&](const Json& j, const std::string& w) { single.settings = assignmentsOf(j, w); }},
-                           {"plots", [&](const Json& j, const std::string& w) { single.plots = plotsOf(j, w); }},
-                           {"paper", [&](const Json& j, const std::string& w) { single.paper = paperOf(j, w); }},
-                           {"baseline", [&](const Json& j, const std::string& w) { single.baseline = boolOf(j, w); }}});
-  if (single.series.empty() || single.label.empty() || single.settings.empty()) throw Wrong{where + ": 'series', 'label' and 'settings' are needed"};
+  readObject(json, where,
+             {{"series", [&](const Json& j, const std::string& w) { single.series = textOf(j, w); }},
+              {"label", [&](const Json& j, const std::string& w) { single.label = textOf(j, w); }},
+              {"settings", [&](const Json& j, const std::string& w) { single.settings = assignmentsOf(j, w); }},
+              {"plots", [&](const Json& j, const std::string& w) { single.plots = plotsOf(j, w); }},
+              {"paper", [&](const Json& j, const std::string& w) { single.paper = paperOf(j, w); }},
+              {"baseline", [&](const Json& j, const std::string& w) { single.baseline = boolOf(j, w); }}});
+  if (single.series.empty() || single.label.empty() || single.settings.empty())
+    throw Wrong{where + ": 'series', 'label' and 'settings' are needed"};
   return single;
 }
 
 Motion motionOf(const Json& json, const std::string& where) {
   Motion motion;
-  readObject(json, where, {{"frames", [&](const Json& j, const std::string& w) { motion.frames = countOf(j, w, 2, 10'000); }},
-                           {"turn_degrees", [&](const Json& j, const std::string& w) { motion.turn = numberOf(j, w); }},
-                           {"seconds", [&](const Json& j, const std::string& w) { motion.seconds = numberOf(j, w); }}});
+  readObject(json, where,
+             {{"frames", [&](const Json& j, const std::string& w) { motion.frames = countOf(j, w, 2, 10'000); }},
+              {"turn_degrees", [&](const Json& j, const std::string& w) { motion.turn = numberOf(j, w); }},
+              {"seconds", [&](const Json& j, const std::string& w) { motion.seconds = numberOf(j, w); }}});
   if (motion.frames == 0) throw Wrong{where + ": 'frames' is needed"};
   return motion;
 }
 
 void readInto(Sweep& sweep, const Json& json) {
   const auto text = [](const Json& j, const std::string& w) { return textOf(j, w); };
-  readObject(json, "",
-             {{"doc", [&](const Json& j, const std::string& w) { sweep.doc = textOf(j, w); }},
-              {"levels", [&](const Json& j, const std::string& w) { sweep.levels = listOf<std::string>(j, w, text); }},
-              {"cameras", [&](const Json& j, const std::string& w) {
-                 sweep.cameras = listOf<std::uint32_t>(j, w, [](const Json& v, const std::string& at) { return countOf(v, at, 0, 1'000'000); });
-               }},
-              {"size", [&](const Json& j, const std::string& w) { sweep.size = sizeOf(j, w); }},
-              {"error_size", [&](const Json& j, const std::string& w) { sweep.errorSize = sizeOf(j, w); }},
-              {"repetitions", [&](const Json& j, const std::string& w) { sweep.repetitions = countOf(j, w, 1, 1000); }},
-              {"seconds_per_point", [&](const Json& j, const std::string& w) { sweep.secondsPerPoint = numberOf(j, w); }},
-              {"truth_samples", [&](const Json& j, const std::string& w) { sweep.truthSamples = countOf(j, w, 2, 1'000'000); }},
-              {"settings", [&](const Json& j, const std::string& w) { sweep.settings = assignmentsOf(j, w); }},
-              {"march", [&](const Json& j, const std::string& w) { sweep.march = assignmentsOf(j, w); }},
-              {"every_technique", [&](const Json& j, const std::string& w) { sweep.everyTechnique = boolOf(j, w); }},
-              {"knobs", [&](const Json& j, const std::string& w) { sweep.knobs = listOf<Knob>(j, w, knobOf); }},
-              {"resolutions", [&](const Json& j, const std::string& w) { sweep.resolutions = listOf<Size>(j, w, sizeOf); }},
-              {"points", [&](const Json& j, const std::string& w) { sweep.singles = listOf<Single>(j, w, singleOf); }},
-              {"motion", [&](const Json& j, const std::string& w) { sweep.motion = motionOf(j, w); }}});
+  readObject(
+      json, "",
+      {{"doc", [&](const Json& j, const std::string& w) { sweep.doc = textOf(j, w); }},
+       {"levels", [&](const Json& j, const std::string& w) { sweep.levels = listOf<std::string>(j, w, text); }},
+       {"cameras",
+        [&](const Json& j, const std::string& w) {
+          sweep.cameras = listOf<std::uint32_t>(
+              j, w, [](const Json& v, const std::string& at) { return countOf(v, at, 0, 1'000'000); });
+        }},
+       {"size", [&](const Json& j, const std::string& w) { sweep.size = sizeOf(j, w); }},
+       {"error_size", [&](const Json& j, const std::string& w) { sweep.errorSize = sizeOf(j, w); }},
+       {"repetitions", [&](const Json& j, const std::string& w) { sweep.repetitions = countOf(j, w, 1, 1000); }},
+       {"seconds_per_point", [&](const Json& j, const std::string& w) { sweep.secondsPerPoint = numberOf(j, w); }},
+       {"truth_samples",
+        [&](const Json& j, const std::string& w) { sweep.truthSamples = countOf(j, w, 2, 1'000'000); }},
+       {"settings", [&](const Json& j, const std::string& w) { sweep.settings = assignmentsOf(j, w); }},
+       {"march", [&](const Json& j, const std::string& w) { sweep.march = assignmentsOf(j, w); }},
+       {"every_technique", [&](const Json& j, const std::string& w) { sweep.everyTechnique = boolOf(j, w); }},
+       {"knobs", [&](const Json& j, const std::string& w) { sweep.knobs = listOf<Knob>(j, w, knobOf); }},
+       {"resolutions", [&](const Json& j, const std::string& w) { sweep.resolutions = listOf<Size>(j, w, sizeOf); }},
+       {"points", [&](const Json& j, const std::string& w) { sweep.singles = listOf<Single>(j, w, singleOf); }},
+       {"motion", [&](const Json& j, const std::string& w) { sweep.motion = motionOf(j, w); }}});
 }
 
 std::filesystem::path sweepFolder() { return executableFolder() / "sweeps"; }
@@ -203,7 +215,8 @@ Result<Sweep> findSweep(const std::string& nameOrPath) {
       std::string list;
       for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
       const std::string near = nearestName(nameOrPath, names);
-      return badCall("--sweep '" + nameOrPath + "': no such sweep" + (near.empty() ? "" : ", did you mean '" + near + "'?") + "; there are " + list +
+      return badCall("--sweep '" + nameOrPath + "': no such sweep" +
+                     (near.empty() ? "" : ", did you mean '" + near + "'?") + "; there are " + list +
                      ", or give a path ending in .json");
     }
     path = sweepFolder() / (nameOrPath + ".json");

@@ -30,7 +30,8 @@ scene::CameraView turned(const scene::CameraView& start, Turn turn) {
   return camera;
 }
 
-std::optional<Turn> turnTowardsLight(const std::vector<scene::LightView>& lights, const scene::CameraView& camera, Size size) {
+std::optional<Turn> turnTowardsLight(const std::vector<scene::LightView>& lights, const scene::CameraView& camera,
+                                     Size size) {
   struct Direction {
     double azimuth, elevation;  // degrees; azimuth grows to the left, as Turn::yaw
   };
@@ -44,13 +45,17 @@ std::optional<Turn> turnTowardsLight(const std::vector<scene::LightView>& lights
   const double halfWidth = glm::degrees(std::atan(0.5 * std::tan(height) * size.first / size.second));
   std::optional<Turn> best;
   for (const scene::LightView& light : lights) {
-    const glm::vec3 towards =
-        light.light.kind == scene::LightKind::kDirectional ? -light.direction : light.position - glm::vec3(camera.worldFromView[3]);
+    const glm::vec3 towards = light.light.kind == scene::LightKind::kDirectional
+                                  ? -light.direction
+                                  : light.position - glm::vec3(camera.worldFromView[3]);
     if (glm::length(towards) < 1e-6f) continue;
     const Direction there = directionOf(towards);
     const Turn whole{std::remainder(there.azimuth - ahead.azimuth, 360.0), there.elevation - ahead.elevation};
-    const auto shortOf = [](double angle, double by) { return std::copysign(std::max(0.0, std::abs(angle) - by), angle); };
-    // Near the zenith azimuths run together and half way is not where it was reckoned: then the light goes to the middle.
+    const auto shortOf = [](double angle, double by) {
+      return std::copysign(std::max(0.0, std::abs(angle) - by), angle);
+    };
+    // Near the zenith azimuths run together and half way is not where it was reckoned: then the light goes to the
+    // middle.
     for (const Turn& turn : {Turn{shortOf(whole.yaw, halfWidth), shortOf(whole.pitch, halfHeight)}, whole}) {
       if (!insidePicture(lightsInPicture({light}, turned(camera, turn), size), size)) continue;
       if (!best || std::hypot(turn.yaw, turn.pitch) < std::hypot(best->yaw, best->pitch)) best = turn;
@@ -68,16 +73,16 @@ std::uint64_t levelHash(const std::string& level, const std::string& text) {
   return hash.value();
 }
 
-Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, Size size, double seconds, const truth::Medium& medium, std::uint32_t samples,
-                      const std::function<bool(double)>& progress) {
+Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, Size size, double seconds,
+                      const truth::Medium& medium, std::uint32_t samples, const std::function<bool(double)>& progress) {
   auto view = app::chooseCamera(level, camera, seconds);
   if (!view) return view.error();
   *view = turned(*view, turn);
   auto bytes = readFile(level.path);
   if (!bytes) return bytes.error();
   char key[256];
-  std::snprintf(key, sizeof key, "%s %u %ux%u %.17g %.17g %.17g %.17g %u", kGeneration, camera, size.first, size.second, seconds, medium.sigma_t, medium.albedo,
-                medium.g, samples);
+  std::snprintf(key, sizeof key, "%s %u %ux%u %.17g %.17g %.17g %.17g %u", kGeneration, camera, size.first, size.second,
+                seconds, medium.sigma_t, medium.albedo, medium.g, samples);
   const auto append = [&](const char* what, double degrees) {
     const std::size_t length = std::char_traits<char>::length(key);
     if (degrees != 0) std::snprintf(key + length, sizeof key - length, " %s %.9g", what, degrees);
@@ -87,11 +92,13 @@ Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, 
   char name[32];
   std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hash));
   const std::filesystem::path folder = cacheFolder() / "truths";
-  const auto scatterFile = folder / (std::string(name) + "-scatter.exr"), distanceFile = folder / (std::string(name) + "-distance.exr");
+  const auto scatterFile = folder / (std::string(name) + "-scatter.exr"),
+             distanceFile = folder / (std::string(name) + "-distance.exr");
   if (std::filesystem::exists(scatterFile) && std::filesystem::exists(distanceFile)) {
     auto scatter = image::readExr(scatterFile);
     auto distance = image::readExr(distanceFile);
-    if (scatter && distance && scatter->channels == 4 && distance->channels == 1 && scatter->width == size.first && distance->width == size.first)
+    if (scatter && distance && scatter->channels == 4 && distance->channels == 1 && scatter->width == size.first &&
+        distance->width == size.first)
       return Truth{scatter.take(), std::move(distance->values)};
   }
   truth::Settings settings;
@@ -104,10 +111,12 @@ Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, 
   auto picture = truth::render(level.scene, *view, level.lights(seconds), settings);
   if (!picture) return picture.error();
   Truth made{{size.first, size.second, 4, {}}, std::move(picture->distance)};
-  for (const glm::vec4& p : picture->scatter) made.scatter.values.insert(made.scatter.values.end(), {p.r, p.g, p.b, p.a});
+  for (const glm::vec4& p : picture->scatter)
+    made.scatter.values.insert(made.scatter.values.end(), {p.r, p.g, p.b, p.a});
   std::error_code none;
   std::filesystem::create_directories(folder, none);
-  if (!none && image::writeExr(scatterFile, made.scatter)) (void)image::writeExr(distanceFile, {size.first, size.second, 1, made.distance});
+  if (!none && image::writeExr(scatterFile, made.scatter))
+    (void)image::writeExr(distanceFile, {size.first, size.second, 1, made.distance});
   return made;
 }
 

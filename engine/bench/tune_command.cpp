@@ -42,7 +42,9 @@ Result<void> runTune(const TuneOptions& options) {
   auto level = loadLevel(options.level);
   if (!level) return level.error();
   std::vector<std::uint32_t> cameras = options.cameras;
-  const auto heldOut = [&](std::uint32_t camera) { return std::find(options.holdOut.begin(), options.holdOut.end(), camera) != options.holdOut.end(); };
+  const auto heldOut = [&](std::uint32_t camera) {
+    return std::find(options.holdOut.begin(), options.holdOut.end(), camera) != options.holdOut.end();
+  };
   if (cameras.empty())
     for (std::uint32_t i = 0; i < level->cameras(0).size(); ++i)
       if (!heldOut(i)) cameras.push_back(i);
@@ -51,7 +53,9 @@ Result<void> runTune(const TuneOptions& options) {
     for (const std::uint32_t camera : *list)
       if (auto chosen = chooseCamera(*level, camera, 0); !chosen) return chosen.error();
   for (const std::uint32_t camera : cameras)
-    if (heldOut(camera)) return badCall("--hold-out: camera " + std::to_string(camera) + " is tuned on, by --camera; a view is one or the other");
+    if (heldOut(camera))
+      return badCall("--hold-out: camera " + std::to_string(camera) +
+                     " is tuned on, by --camera; a view is one or the other");
   auto stand = bench::Stand::open(catalogue.take(), options.device);
   if (!stand) return stand.error();
   if (auto set = (*stand)->setLevel(level.take()); !set) return set;
@@ -66,25 +70,37 @@ Result<void> runTune(const TuneOptions& options) {
   char figures[128];
   int length = std::snprintf(figures, sizeof figures, "nRMSE %.4g", score.error);
   if (const auto limit = bench::predictionLimit(search.best().errors))
-    length += std::snprintf(figures + length, sizeof figures - static_cast<std::size_t>(length), " (of unseen views up to %.4g)", *limit);
-  if (search.best().timed()) std::snprintf(figures + length, sizeof figures - static_cast<std::size_t>(length), " in %.4g ms", score.milliseconds);
+    length += std::snprintf(figures + length, sizeof figures - static_cast<std::size_t>(length),
+                            " (of unseen views up to %.4g)", *limit);
+  if (search.best().timed())
+    std::snprintf(figures + length, sizeof figures - static_cast<std::size_t>(length), " in %.4g ms",
+                  score.milliseconds);
   if (!search.met())
-    return failed("tune: nothing that was tried meets the bound with its margin; nearest is " + std::string(figures) + " with " + search.best().text());
+    return failed("tune: nothing that was tried meets the bound with its margin; nearest is " + std::string(figures) +
+                  " with " + search.best().text());
   for (const std::uint32_t camera : options.holdOut)
     if (auto done = search.holdOut(camera); !done) return done;
   for (const auto& [view, held, kindSearched] : search.held()) {
     char text[96];
     std::snprintf(text, sizeof text, "nRMSE %.4g in %.4g ms", held.error, held.milliseconds);
-    const char* other = kindSearched ? "" : view.lightOnScreen ? "; a light is on the screen there, and on no view that was searched" : "; no light is on the screen there, and one is on every view that was searched";
-    std::fprintf(stderr, "tyndall: %stune: camera %u, which was held out: %s%s%s\n", search.goal().met(held) ? "" : "warning: ", view.camera, text,
+    const char* other = kindSearched ? ""
+                        : view.lightOnScreen
+                            ? "; a light is on the screen there, and on no view that was searched"
+                            : "; no light is on the screen there, and one is on every view that was searched";
+    std::fprintf(stderr, "tyndall: %stune: camera %u, which was held out: %s%s%s\n",
+                 search.goal().met(held) ? "" : "warning: ", view.camera, text,
                  search.goal().met(held) ? "" : ", outside the bound", other);
   }
   const std::string preset = search.preset();
-  if (auto done = outputs.write("--out", [&](const std::filesystem::path& p) { return writeTextAtomically(p, preset); }); !done) return done;
+  if (auto done =
+          outputs.write("--out", [&](const std::filesystem::path& p) { return writeTextAtomically(p, preset); });
+      !done)
+    return done;
   if (auto done = outputs.commit(); !done) return done;
   std::fprintf(stderr, "tyndall: tune: %s: %s\n", figures, search.best().text().c_str());
   const std::string shown = options.out.empty() ? preset : options.out.string() + "\n";
-  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size() || std::fflush(stdout) != 0) return failed("standard output: cannot be written");
+  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size() || std::fflush(stdout) != 0)
+    return failed("standard output: cannot be written");
   return {};
 }
 

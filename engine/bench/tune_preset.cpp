@@ -54,8 +54,7 @@ std::string TuneSearch::preset() {
 
   const std::string bound =
       goal_.maxError ? " --max-error " + number(*goal_.maxError) : " --budget-ms " + number(*goal_.budgetMs);
-  const std::string candidates =
-      options_.candidates.empty() ? "" : " --candidates " + options_.candidates.string();
+  const std::string candidates = options_.candidates.empty() ? "" : " --candidates " + options_.candidates.string();
   const gpu::DeviceInfo& device = stand_.session().device().info();
   evidence["command"] = "tyndall tune " + options_.level + bound + cameraOptions() + candidates + " --margin " +
                         number(options_.margin) + " --size " + std::to_string(options_.size.first) + "x" +
@@ -96,12 +95,11 @@ std::string TuneSearch::preset() {
   evidence["others_of_the_last_round"] = Json::array();
   for (std::size_t i = 1; i < candidates_.size(); ++i) {
     const Candidate& c = candidates_[i];
-    evidence["others_of_the_last_round"].push_back(
-        {{"settings", c.text()},
-         {"milliseconds", c.timed() ? Json(c.score().milliseconds) : Json()},
-         {"nrmse", c.worstError()},
-         {"nrmse_of_unseen_views", limitOf(c)},
-         {"views", c.errors.size()}});
+    evidence["others_of_the_last_round"].push_back({{"settings", c.text()},
+                                                    {"milliseconds", c.timed() ? Json(c.score().milliseconds) : Json()},
+                                                    {"nrmse", c.worstError()},
+                                                    {"nrmse_of_unseen_views", limitOf(c)},
+                                                    {"views", c.errors.size()}});
   }
   Json varied = Json::array(), left = left_;
   for (const std::string& id : varied_) varied.push_back(id);

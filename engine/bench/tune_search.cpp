@@ -198,9 +198,8 @@ Result<std::vector<TuneSearch::Prepared>> TuneSearch::prepare(const Round& round
   params::Table& table = stand_.session().table();
   table.resetToDefaults();
   truth::Medium medium;
-  for (const auto& [id, target] : {std::pair{"medium.sigma_t", &medium.sigma_t},
-                                   {"medium.albedo", &medium.albedo},
-                                   {"medium.g", &medium.g}})
+  for (const auto& [id, target] :
+       {std::pair{"medium.sigma_t", &medium.sigma_t}, {"medium.albedo", &medium.albedo}, {"medium.g", &medium.g}})
     if (table.find(id)) *target = table.value(id);
   const std::uint32_t samples = std::max(1u, field_.truthSamples / (round.wholeErrors ? 1 : 2));
   std::vector<Prepared> views;

@@ -60,8 +60,9 @@ class TuneSearch {
 
   TuneSearch(Stand& stand, const app::TuneOptions& options);
 
-  /// The views to search on: `cameras`, each also turned as asked for. A camera that sees no light so gets one more view, turned to one, unless that
-  /// is not wanted. Those with a light on the screen come first: they are the hardest, and who fails there need not be tried on the others.
+  /// The views to search on: `cameras`, each also turned as asked for. A camera that sees no light so gets one more
+  /// view, turned to one, unless that is not wanted. Those with a light on the screen come first: they are the hardest,
+  /// and who fails there need not be tried on the others.
   Result<void> chooseViews(const std::vector<std::uint32_t>& cameras);
   /// Searches one field of candidates. Afterwards best() is the best of all fields so far.
   Result<void> run(const Sweep& field);
@@ -76,8 +77,8 @@ class TuneSearch {
   std::string preset();
 
  private:
-  /// Of a bound on the error two things are asked: that the worst view keeps clear of it by the margin, and that a view which the search has not seen
-  /// is to be under it.
+  /// Of a bound on the error two things are asked: that the worst view keeps clear of it by the margin, and that a view
+  /// which the search has not seen is to be under it.
   Score scoreOf(const Candidate& c) const;
   std::vector<Score> scores() const;
   std::string cameraOptions() const;
@@ -91,7 +92,8 @@ class TuneSearch {
   };
   Result<void> measure(const Round& round);
   Result<std::vector<Prepared>> prepare(const Round& round, Size errorSize);
-  /// The cheapest by what is known first: once one meets the bound everywhere, those that are dearer by far are not tried.
+  /// The cheapest by what is known first: once one meets the bound everywhere, those that are dearer by far are not
+  /// tried.
   void measureErrors(const Round& round, const std::vector<Prepared>& views, Size errorSize);
   /// Interleaved, so that a drift of the machine meets all alike.
   void measureTimes(const Round& round, const std::vector<Prepared>& views);

@@ -36,6 +36,7 @@ Device::State::~State() {
     for (const auto& [key, sampler] : samplers) vkDestroySampler(device, sampler, nullptr);
     savePipelineCache(*this);
     for (const Slot& slot : slots) vkDestroyCommandPool(device, slot.pool, nullptr);
+    for (const OneShot& shot : idleOneShots) vkDestroyFence(device, shot.fence, nullptr);
     vkDestroyCommandPool(device, oneShotPool, nullptr);
     vkDestroySemaphore(device, timeline, nullptr);
     vkDestroyDevice(device, nullptr);

@@ -145,8 +145,10 @@ Result<void> createFrameObjects(Device::State& state) {
   VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &type};
   VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, nullptr,
                                VK_COMMAND_POOL_CREATE_TRANSIENT_BIT, state.family};
+  VkCommandPoolCreateInfo oneShots = pool;
+  oneShots.flags |= VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;  // each is begun anew, again and again
   VkResult result = vkCreateSemaphore(state.device, &semaphore, nullptr, &state.timeline);
-  if (!result) result = vkCreateCommandPool(state.device, &pool, nullptr, &state.oneShotPool);
+  if (!result) result = vkCreateCommandPool(state.device, &oneShots, nullptr, &state.oneShotPool);
   for (auto& slot : state.slots) {
     if (!result) result = vkCreateCommandPool(state.device, &pool, nullptr, &slot.pool);
     VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, slot.pool,

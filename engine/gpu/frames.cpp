@@ -47,33 +47,52 @@ void Device::State::collect() {
   retired.erase(done, retired.end());
 }
 
+Result<Device::State::OneShot> Device::State::takeOneShot() {
+  OneShot shot;
+  if (!idleOneShots.empty()) {
+    shot = idleOneShots.back();
+    idleOneShots.pop_back();
+    if (const VkResult result = vkResetFences(device, 1, &shot.fence)) return vkFailed("Vulkan: a fence", result);
+    return shot;
+  }
+  const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  if (const VkResult result = vkCreateFence(device, &fence, nullptr, &shot.fence))
+    return vkFailed("Vulkan: no fence", result);
+  const VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, oneShotPool,
+                                             VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
+  if (const VkResult result = vkAllocateCommandBuffers(device, &allocate, &shot.commands)) {
+    vkDestroyFence(device, shot.fence, nullptr);
+    return vkFailed("Vulkan: no command buffer", result);
+  }
+  return shot;
+}
+
 Result<void> Device::submitAndWait(const std::function<void(VkCommandBuffer)>& record) {
   State& s = *state_;
-  VkCommandBuffer commands = VK_NULL_HANDLE;
-  VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, s.oneShotPool,
-                                       VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
-  if (const VkResult result = vkAllocateCommandBuffers(s.device, &allocate, &commands))
-    return vkFailed("Vulkan: no command buffer", result);
-  VkFenceCreateInfo fenceInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  VkFence fence = VK_NULL_HANDLE;
-  VkResult result = vkCreateFence(s.device, &fenceInfo, nullptr, &fence);
-  if (!result) result = begin(commands);
+  auto taken = s.takeOneShot();
+  if (!taken) return taken.error();
+  const State::OneShot shot = *taken;
+  VkResult result = begin(shot.commands);
   if (!result) {
     ++s.oneShots;
-    record(commands);
-    result = vkEndCommandBuffer(commands);
-    VkCommandBufferSubmitInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, nullptr, commands, 0};
+    record(shot.commands);
+    result = vkEndCommandBuffer(shot.commands);
+    VkCommandBufferSubmitInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, nullptr, shot.commands, 0};
     VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
     submit.commandBufferInfoCount = 1, submit.pCommandBufferInfos = &buffer;
-    if (!result) result = vkQueueSubmit2(s.queue, 1, &submit, fence);
-    if (!result) result = vkWaitForFences(s.device, 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+    if (!result) result = vkQueueSubmit2(s.queue, 1, &submit, shot.fence);
+    if (!result) result = vkWaitForFences(s.device, 1, &shot.fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
     --s.oneShots;
   }
-  vkDestroyFence(s.device, fence, nullptr);
-  vkFreeCommandBuffers(s.device, s.oneShotPool, 1, &commands);
   s.collect();
-  if (result) return vkFailed("Vulkan: a submission failed", result);
-  return {};
+  if (!result) {
+    // Kept for the next one: the validation layer holds some 200 bytes of each command buffer after it was freed.
+    s.idleOneShots.push_back(shot);
+    return {};
+  }
+  vkDestroyFence(s.device, shot.fence, nullptr);
+  vkFreeCommandBuffers(s.device, s.oneShotPool, 1, &shot.commands);
+  return vkFailed("Vulkan: a submission failed", result);
 }
 
 Result<VkCommandBuffer> Device::beginFrame() {

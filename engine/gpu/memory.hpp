@@ -48,7 +48,8 @@ class Allocator {
   VkDeviceSize blockBytes(std::uint32_t type) const;
   VkResult addBlock(std::uint32_t type, VkDeviceSize size, bool own, std::uint32_t& index);
   void removeBlock(std::uint32_t index);
-  std::shared_ptr<Allocation> take(std::uint32_t index, VkDeviceSize offset, VkDeviceSize size, const std::string& name);
+  std::shared_ptr<Allocation> take(std::uint32_t index, VkDeviceSize offset, VkDeviceSize size,
+                                   const std::string& name);
   void give(const Allocation& allocation);
 
   VkDevice device_;

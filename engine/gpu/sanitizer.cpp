@@ -13,7 +13,9 @@ extern "C" __attribute__((visibility("default"))) const char* __lsan_default_sup
 }
 
 // Without a list of what was suppressed: a failure of the program stays one line on stderr.
-extern "C" __attribute__((visibility("default"))) const char* __lsan_default_options() { return "print_suppressions=0"; }
+extern "C" __attribute__((visibility("default"))) const char* __lsan_default_options() {
+  return "print_suppressions=0";
+}
 
 namespace tyndall::gpu {
 

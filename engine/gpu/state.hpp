@@ -69,13 +69,19 @@ struct Device::State {
   bool recording = false;
   VkCommandPool oneShotPool = VK_NULL_HANDLE;
   std::uint32_t oneShots = 0;  ///< submitAndWait calls on the stack
+  struct OneShot {
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkFence fence = VK_NULL_HANDLE;
+  };
+  std::vector<OneShot> idleOneShots;  ///< of submissions that are finished
+  Result<OneShot> takeOneShot();
 
   struct Retired {
     std::uint64_t frame = 0;  ///< may be destroyed once this frame is finished
     std::unique_ptr<Resource> resource;
   };
   std::vector<Retired> retired;
-  bool unused = false;  ///< what is let go of now is in no frame, not even in the one being recorded
+  bool unused = false;   ///< what is let go of now is in no frame, not even in the one being recorded
   std::mutex liveMutex;  ///< pipelines are made on other threads too
   std::unordered_set<const Resource*> live;
 

@@ -45,11 +45,13 @@ struct FrameRefs {
 /// Memory of what the recorded passes of a frame used, each image and buffer on its own, history always.
 std::uint64_t bytesUsed(const Built& built, const FrameRefs& refs);
 
-/// The same of each light's own passes, without the output. Lights take turns in the same memory, so that these do not add up to bytesUsed.
+/// The same of each light's own passes, without the output. Lights take turns in the same memory, so that these do not
+/// add up to bytesUsed.
 std::vector<std::uint64_t> bytesOfLights(const Built& built, const FrameRefs& refs);
 
-/// What the recorded passes of a frame move, each part of what they are bound to once a pass and direction. Nothing where several lights take
-/// turns: each then uses as much of the shared images as it needs, which the host does not know.
+/// What the recorded passes of a frame move, each part of what they are bound to once a pass and direction. Nothing
+/// where several lights take turns: each then uses as much of the shared images as it needs, which the host does not
+/// know.
 std::optional<std::uint64_t> bytesMoved(const Built& built, const FrameRefs& refs);
 
 /// Declares all passes of one frame. Passes are named "name", or "name [light 2]" where they repeat per light.

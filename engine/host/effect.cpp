@@ -57,7 +57,8 @@ Result<render::ImageRef> PluginEffect::addPasses(const render::EffectInput& inpu
   for (const Automatic& a : s.asked->automatics) {
     const auto choice = s.tuner.current(a.key, a.tunable.variants);
     if (choice.settled) continue;
-    if (s.built->structure.values[a.tunable.parameter] != a.tunable.variants[choice.variant]) break;  // it is still being made
+    if (s.built->structure.values[a.tunable.parameter] != a.tunable.variants[choice.variant])
+      break;  // it is still being made
     pending.timedLights = s.lightsOf(a.tunable.passes);
     pending.timedKey = a.key;
     pending.timedVariant = choice.variant;
@@ -94,7 +95,8 @@ std::vector<PluginDebugView> PluginEffect::debugViews() const {
   State& s = *state_;
   std::vector<PluginDebugView> views;
   if (s.built) {
-    for (const LayoutDebugView& view : s.built->layout.debugViews) views.push_back({view.name, view.doc, roleOf(view.d.role)});
+    for (const LayoutDebugView& view : s.built->layout.debugViews)
+      views.push_back({view.name, view.doc, roleOf(view.d.role)});
     return views;
   }
   Structure structure;
@@ -162,7 +164,8 @@ std::vector<std::pair<std::string, std::string>> PluginEffect::remembered() cons
   for (const Automatic& a : automatics) {
     const params::Parameter& p = s.plugin.parameters()[a.tunable.parameter];
     const double* fastest = s.tuner.remembered(a.key);
-    const bool valid = fastest && std::find(a.tunable.variants.begin(), a.tunable.variants.end(), *fastest) != a.tunable.variants.end();
+    const bool valid = fastest && std::find(a.tunable.variants.begin(), a.tunable.variants.end(), *fastest) !=
+                                      a.tunable.variants.end();
     known.emplace_back(p.id, valid ? params::toText(p, *fastest) : "");
   }
   return known;

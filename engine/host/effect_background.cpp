@@ -13,7 +13,8 @@ namespace tyndall::host {
 
 namespace {
 
-// Fetching one pipeline's code takes llvmpipe 5 to 30 ms on one core: about as much as a whole frame of a small picture.
+// Fetching one pipeline's code takes llvmpipe 5 to 30 ms on one core: about as much as a whole frame of a small
+// picture.
 constexpr std::size_t kFetchedPerFrame = 1;
 
 }  // namespace
@@ -187,7 +188,8 @@ PluginEffect::Background PluginEffect::background() const {
 bool PluginEffect::readsShadowMoments() const {
   const auto reads = [](const std::shared_ptr<Built>& of) {
     return of && std::any_of(of->layout.passes.begin(), of->layout.passes.end(), [](const LayoutPass& pass) {
-             return std::any_of(pass.bindings.begin(), pass.bindings.end(), [](const TyBinding& b) { return b.source == TY_SOURCE_SHADOW_MOMENTS; });
+             return std::any_of(pass.bindings.begin(), pass.bindings.end(),
+                                [](const TyBinding& b) { return b.source == TY_SOURCE_SHADOW_MOMENTS; });
            });
   };
   return reads(state_->built) || (state_->coming && reads(state_->coming->built));

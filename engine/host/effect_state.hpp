@@ -50,7 +50,8 @@ struct PluginEffect::State {
     std::shared_ptr<Built> built;  ///< without pipelines and resources
     std::vector<std::optional<PipelinePlan>> plans;
     std::vector<BuildStep> steps;
-    std::map<std::string, PipelinePtr> there;  ///< of its pipelines, those that are made; the layout that is drawn may let go of them meanwhile
+    std::map<std::string, PipelinePtr>
+        there;  ///< of its pipelines, those that are made; the layout that is drawn may let go of them meanwhile
     bool made = false;
     std::size_t warmed = 0;  ///< steps whose code this device's driver has
   };
@@ -81,12 +82,14 @@ struct PluginEffect::State {
   Result<void> swap();
   void forgetComing();
   TyInstance* spare();
-  std::vector<Scratch> newScratches(const Layout& layout, std::uint32_t pass, const PipelinePlan& plan, const std::vector<PassRun>& runs,
-                                    const render::EffectInput& input) const;
+  std::vector<Scratch> newScratches(const Layout& layout, std::uint32_t pass, const PipelinePlan& plan,
+                                    const std::vector<PassRun>& runs, const render::EffectInput& input) const;
   /// The frame being declared compiles these: nothing is left to do ahead for them.
-  void noteCompiled(const Built& built, const std::vector<std::optional<PipelinePlan>>& plans, const render::EffectInput& input);
+  void noteCompiled(const Built& built, const std::vector<std::optional<PipelinePlan>>& plans,
+                    const render::EffectInput& input);
 
-  /// Lights (TY_NONE: of passes that are not per light) that runs of these passes were recorded for in the frame being built.
+  /// Lights (TY_NONE: of passes that are not per light) that runs of these passes were recorded for in the frame being
+  /// built.
   std::set<std::uint32_t> lightsOf(const std::vector<std::string>& passes) const;
 
   gpu::Device& device;
@@ -104,19 +107,20 @@ struct PluginEffect::State {
   std::deque<Pending> pending;
   std::shared_ptr<const FrameRefs> refs;  ///< of the last addPasses
   std::vector<std::pair<std::string, std::uint64_t>> counters;
-  std::uint64_t bytes = 0;  ///< what the last finished frame used
+  std::uint64_t bytes = 0;                ///< what the last finished frame used
   std::optional<std::uint64_t> moved;     ///< see PluginEffect::bytesMoved()
   std::vector<std::uint64_t> lightBytes;  ///< and each light's own passes of it
 
   bool background = false;
-  TyInstance* second = nullptr;  ///< answers for what is coming while the other prepares frames
+  TyInstance* second = nullptr;    ///< answers for what is coming while the other prepares frames
   std::optional<Asked> askedNext;  ///< of the table's newest values, when `asked` is not
   std::optional<Coming> coming;
   /// What was drawn before the layout that this frame is the first of, should that have no room.
   std::optional<std::pair<Asked, std::shared_ptr<Built>>> before;
-  bool redraw = false;              ///< what is drawn went back after the last frame
-  bool open = false;                ///< passes were declared for a frame that is neither submitted nor dropped yet
-  /// Of each pipeline: the keys of the scratches that this device's driver has compiled it for, where that happens late.
+  bool redraw = false;  ///< what is drawn went back after the last frame
+  bool open = false;    ///< passes were declared for a frame that is neither submitted nor dropped yet
+  /// Of each pipeline: the keys of the scratches that this device's driver has compiled it for, where that happens
+  /// late.
   std::map<std::string, std::set<std::string>> compiled;
   BackgroundBuilder builder;
 };

@@ -64,7 +64,8 @@ Structure PluginEffect::State::resolved(const Structure& wanted, const std::vect
   return structure;
 }
 
-Result<std::shared_ptr<Built>> PluginEffect::State::describe(TyInstance* instance, Structure structure, bool castersOffered) {
+Result<std::shared_ptr<Built>> PluginEffect::State::describe(TyInstance* instance, Structure structure,
+                                                             bool castersOffered) {
   auto layout = ask(instance, structure);
   if (!layout) return layout.error();
   auto next = std::make_shared<Built>();

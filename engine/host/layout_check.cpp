@@ -76,7 +76,8 @@ class Checker {
     for (const LayoutDebugView& v : l_.debugViews) {
       const auto bad = [&](const Text& what) { return failed("debug view '" + v.name + "': " + what); };
       if (!names.insert(v.name).second) return bad("appears twice");
-      const bool many = v.d.role < TY_VIEW_ROW_PLACE || v.d.role == TY_VIEW_WALK_LEVEL || v.d.role == TY_VIEW_WALK_LEVEL_ACROSS;
+      const bool many =
+          v.d.role < TY_VIEW_ROW_PLACE || v.d.role == TY_VIEW_WALK_LEVEL || v.d.role == TY_VIEW_WALK_LEVEL_ACROSS;
       if (!many && !roles.insert(v.d.role).second)
         return bad("has the role " + str(v.d.role) + " of another view; one view of a layout may have it");
       if (v.d.channel > 4 || !std::isfinite(v.d.low) || !std::isfinite(v.d.high) || v.d.low == v.d.high)

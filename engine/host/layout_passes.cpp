@@ -164,7 +164,8 @@ namespace {
 /// Of one mip: a layer of an array, all of a 3D image.
 std::uint64_t layerBytes(const TyImage& image, std::uint32_t mip) {
   const auto side = [mip](std::uint32_t size) { return std::uint64_t{std::max(1u, size >> mip)}; };
-  return side(image.width) * side(image.height) * (image.kind == TY_IMAGE_3D ? side(image.depth) : 1) * formatBytes(image.format);
+  return side(image.width) * side(image.height) * (image.kind == TY_IMAGE_3D ? side(image.depth) : 1) *
+         formatBytes(image.format);
 }
 
 }  // namespace
@@ -185,7 +186,8 @@ std::uint64_t bytesMoved(const Layout& layout, const LayoutPass& pass, std::uint
       if (source == TY_SOURCE_OUTPUT) parts[{source, index, 0, 0, written}] = outputBytes;
       if (source != TY_SOURCE_IMAGE) continue;
       for (std::uint32_t mip = part.firstMip; mip < part.endMip; ++mip)
-        for (std::uint32_t layer = part.firstLayer; layer < part.endLayer; ++layer) parts[{source, index, mip, layer, written}] = layerBytes(layout.images[index].d, mip);
+        for (std::uint32_t layer = part.firstLayer; layer < part.endLayer; ++layer)
+          parts[{source, index, mip, layer, written}] = layerBytes(layout.images[index].d, mip);
     }
   };
   for (const TyBinding& b : pass.bindings)

@@ -36,12 +36,14 @@ class Pipelines {
   /// One pipeline per pass (null for caster passes). On an error nothing changes.
   Result<std::vector<PipelinePtr>> of(const std::vector<std::optional<PipelinePlan>>& plans);
   /// The same for plans whose missing pipelines were made elsewhere. `fresh` may lack those that has() knows.
-  std::vector<PipelinePtr> adopt(const std::vector<std::optional<PipelinePlan>>& plans, std::map<std::string, PipelinePtr> fresh);
+  std::vector<PipelinePtr> adopt(const std::vector<std::optional<PipelinePlan>>& plans,
+                                 std::map<std::string, PipelinePtr> fresh);
   /// Recompiles changed shaders. Lines for the log; `changed` says whether any code is new.
   std::vector<std::string> reload(bool& changed);
 
  private:
-  Result<PipelinePlan> planOf(const Layout& layout, const LayoutPass& pass, std::shared_ptr<const gpu::Shader> shader) const;
+  Result<PipelinePlan> planOf(const Layout& layout, const LayoutPass& pass,
+                              std::shared_ptr<const gpu::Shader> shader) const;
 
   gpu::Device& device_;
   gpu::ShaderFolder shaders_;

@@ -50,10 +50,12 @@ Result<void> supported(gpu::Device& device, const Layout& layout, std::uint32_t 
                     desc.mips <= most.maxMipLevels && imageBytes(layout.images[index].d) <= most.maxResourceSize;
   if (fits) return {};
   const auto megabytes = [](std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; };
-  return failed("image '" + desc.name + "': the device cannot make one of " + std::to_string(desc.width) + "x" + std::to_string(desc.height) +
-                " with " + std::to_string(std::max(desc.layers, desc.depth)) + " layers, " + megabytes(imageBytes(layout.images[index].d)) +
-                "; its limits are " + std::to_string(most.maxExtent.width) + "x" + std::to_string(most.maxExtent.height) + ", " +
-                std::to_string(most.maxArrayLayers) + " layers, " + megabytes(most.maxResourceSize) + "; smaller maps make room");
+  return failed("image '" + desc.name + "': the device cannot make one of " + std::to_string(desc.width) + "x" +
+                std::to_string(desc.height) + " with " + std::to_string(std::max(desc.layers, desc.depth)) +
+                " layers, " + megabytes(imageBytes(layout.images[index].d)) + "; its limits are " +
+                std::to_string(most.maxExtent.width) + "x" + std::to_string(most.maxExtent.height) + ", " +
+                std::to_string(most.maxArrayLayers) + " layers, " + megabytes(most.maxResourceSize) +
+                "; smaller maps make room");
 }
 
 }  // namespace

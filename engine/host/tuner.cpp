@@ -27,7 +27,8 @@ Tuner::Choice Tuner::current(const std::string& key, const std::vector<double>& 
   return entry.choice;
 }
 
-void Tuner::add(const std::string& key, std::size_t variant, double milliseconds, const std::set<std::uint32_t>& lights) {
+void Tuner::add(const std::string& key, std::size_t variant, double milliseconds,
+                const std::set<std::uint32_t>& lights) {
   const auto found = entries_.find(key);
   if (found == entries_.end()) return;
   Entry& entry = found->second;
@@ -44,8 +45,11 @@ void Tuner::add(const std::string& key, std::size_t variant, double milliseconds
   entry.times[variant].push_back(milliseconds);
   // Two frames after the warm-up tell of a variant that is out of the question; a single one may have stuttered.
   const std::vector<double>& own = entry.times[variant];
-  const auto beats = [&](const std::vector<double>& times) { return medianWithoutWarmUp(times) * kClearly < *std::min_element(own.begin() + 1, own.end()); };
-  const bool beaten = own.size() > 2 && std::any_of(entry.times.begin(), entry.times.begin() + static_cast<std::ptrdiff_t>(variant), beats);
+  const auto beats = [&](const std::vector<double>& times) {
+    return medianWithoutWarmUp(times) * kClearly < *std::min_element(own.begin() + 1, own.end());
+  };
+  const bool beaten = own.size() > 2 && std::any_of(entry.times.begin(),
+                                                    entry.times.begin() + static_cast<std::ptrdiff_t>(variant), beats);
   if (entry.times[variant].size() < kFrames && !beaten) return;
   if (++entry.choice.variant < entry.variants.size()) return;
   std::size_t best = 0;
@@ -62,12 +66,14 @@ std::string tunableKey(const std::string& plugin, const std::string& device, con
     if (std::find(tunable.passes.begin(), tunable.passes.end(), pass.name) == tunable.passes.end()) continue;
     key += pass.name + '/' + pass.shader;
     for (const std::uint32_t groups : pass.d.groups) key += ':' + std::to_string(std::bit_width(groups));
-    for (const TySpecialization& s : pass.specializations) key += ',' + std::to_string(s.id) + '=' + std::to_string(s.value);
+    for (const TySpecialization& s : pass.specializations)
+      key += ',' + std::to_string(s.id) + '=' + std::to_string(s.value);
     for (const TyBinding& b : pass.bindings) {
       if (b.source != TY_SOURCE_IMAGE) continue;
       const TyImage& image = layout.images[b.index].d;
       key += ',' + std::to_string(image.format);
-      for (const std::uint32_t side : {image.width, image.height, image.depth}) key += 'x' + std::to_string(std::bit_width(side));
+      for (const std::uint32_t side : {image.width, image.height, image.depth})
+        key += 'x' + std::to_string(std::bit_width(side));
     }
     key += ' ';
   }

@@ -42,9 +42,10 @@ class Tuner {
   Choice current(const std::string& key, const std::vector<double>& variants);
   /// The variant that was found fastest, in this program or an earlier one; null if it was not measured.
   const double* remembered(const std::string& key) const { return store_.find(key); }
-  /// The time of one frame that ran with `variant`; ignored unless it is the one being timed. `lights`: those that the timed passes ran for;
-  /// variants are compared on the same ones, so that a frame with others starts the timing anew.
-  void add(const std::string& key, std::size_t variant, double milliseconds, const std::set<std::uint32_t>& lights = {});
+  /// The time of one frame that ran with `variant`; ignored unless it is the one being timed. `lights`: those that the
+  /// timed passes ran for; variants are compared on the same ones, so that a frame with others starts the timing anew.
+  void add(const std::string& key, std::size_t variant, double milliseconds,
+           const std::set<std::uint32_t>& lights = {});
 
  private:
   struct Entry {
@@ -57,8 +58,8 @@ class Tuner {
   std::map<std::string, Entry> entries_;
 };
 
-/// Names what a choice holds for: the plugin's build, the device, the parameter, the timed passes' shaders with their constants (those of the variant that
-/// stands for "automatic"), and the formats and sizes of their images - the power
+/// Names what a choice holds for: the plugin's build, the device, the parameter, the timed passes' shaders with their
+/// constants (those of the variant that stands for "automatic"), and the formats and sizes of their images - the power
 /// of two of each timed pass's groups, so that a window dragged wider does not start the timing anew at every pixel.
 std::string tunableKey(const std::string& plugin, const std::string& device, const std::string& parameter,
                        const LayoutTunable& tunable, const Layout& layout);

@@ -8,7 +8,8 @@ std::vector<Parameter> engineParameters() {
   mode.id = "shadows.mode";
   mode.name = "Shadow filtering";
   mode.doc =
-      "How shadow maps are filtered when surfaces are lit: pcf averages comparisons of 3x3 texels, moments reads a blurred map of "
+      "How shadow maps are filtered when surfaces are lit: pcf averages comparisons of 3x3 texels, moments reads a "
+      "blurred map of "
       "four moments, whose shadows have softer edges and do not flicker in the distance.";
   mode.type = Type::kEnum;
   mode.choices = {"pcf", "moments", "soft", "variance", "exponential_variance"};
@@ -31,7 +32,8 @@ std::vector<Parameter> engineParameters() {
   precision.id = "shadows.precision";
   precision.name = "Moment precision";
   precision.unit = "bit";
-  precision.doc = "Bits per texel of moment shadow maps; read by shadows.mode = moments and by volumetrics.filtered_resampling.";
+  precision.doc =
+      "Bits per texel of moment shadow maps; read by shadows.mode = moments and by volumetrics.filtered_resampling.";
   precision.type = Type::kEnum;
   precision.choices = {"64", "128"};
 
@@ -39,7 +41,8 @@ std::vector<Parameter> engineParameters() {
   reuse.id = "shadows.reuse";
   reuse.name = "Keep shadow maps";
   reuse.doc =
-      "Draws a shadow map again only when its light, a caster or its size has changed; maps then have memory of their own. A sun's map follows the camera.";
+      "Draws a shadow map again only when its light, a caster or its size has changed; maps then have memory of their "
+      "own. A sun's map follows the camera.";
   reuse.type = Type::kBool;
 
   Parameter exposure;

@@ -26,7 +26,8 @@ struct Job {
 }  // namespace
 
 struct FrameBuilder::State {
-  State(gpu::Device& d, Renderer& r, std::filesystem::path folder) : device(d), renderer(r), shaders(std::move(folder)) {}
+  State(gpu::Device& d, Renderer& r, std::filesystem::path folder)
+      : device(d), renderer(r), shaders(std::move(folder)) {}
   void work();
   Result<PipelineLibrary::Made> run(const Job& job, std::unique_ptr<gpu::Device>& own);
 
@@ -64,7 +65,8 @@ void FrameBuilder::start(const Renderer::Input& frame, const FrameSettings& sett
   job.lights = frame.lights;
   job.width = smallSide(frame.width), job.height = smallSide(frame.height);
   job.settings = settings;
-  job.settings.shadowResolution = settings.shadowResolution > 1 ? smallSide(settings.shadowResolution) + 14 : 1;  // 16 or 17: with mips
+  job.settings.shadowResolution =
+      settings.shadowResolution > 1 ? smallSide(settings.shadowResolution) + 14 : 1;  // 16 or 17: with mips
   job.settings.debugView.clear();
   job.settings.offered.clear();
   job.settings.reuseShadows = false;

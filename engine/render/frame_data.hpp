@@ -44,17 +44,17 @@ struct FrameData {
   glm::mat4 clipFromWorld{1};
   DrawList draws;
   LightPlan plan;
-  std::vector<ImageRef> shadowMaps;  ///< by plan.shadowed
+  std::vector<ImageRef> shadowMaps;                            ///< by plan.shadowed
   std::vector<std::shared_ptr<KeptShadowMap>> keptShadowMaps;  ///< those of them that outlive the frame
-  std::vector<ImageRef> momentMaps;  ///< the same; empty refs where momentFormat is undefined
+  std::vector<ImageRef> momentMaps;                            ///< the same; empty refs where momentFormat is undefined
   VkFormat momentFormat = VK_FORMAT_UNDEFINED;
   ShadowMaps surfaceMaps = ShadowMaps::kDepths;  ///< what surfaces read
   std::vector<ShadowedLight> shadowedLights;     ///< in file order, for effects
   std::shared_ptr<const SceneResources> resources;
   BlockRange viewBlock, lightBlocks, instanceBlocks, materialBlocks;
-  std::uint64_t materialsHash = 0;    ///< of the contents of materialBlocks
-  bool cookies = false;               ///< some light has one
-  ImageRef cookieArray, noCookie;     ///< resources->cookies and a white texel, for effects; empty without an effect
+  std::uint64_t materialsHash = 0;  ///< of the contents of materialBlocks
+  bool cookies = false;             ///< some light has one
+  ImageRef cookieArray, noCookie;   ///< resources->cookies and a white texel, for effects; empty without an effect
 
   ImageRef base, normal, emissive, depth, color;
 

@@ -74,7 +74,8 @@ Result<void> GraphMemory::State::realize(std::vector<Heap> newHeaps, std::vector
                                     [](const PhysicalResource& a, const PhysicalResource& b) { return a.sameAs(b); });
   if (unchanged) return {};
 
-  // Old and new together, because frames in flight still use the old ones. Where that is too much, the old ones go first.
+  // Old and new together, because frames in flight still use the old ones. Where that is too much, the old ones go
+  // first.
   std::vector<Heap> oldHeaps = std::exchange(heaps, {});
   std::vector<PhysicalResource> oldResources = std::exchange(resources, {});
   requirements.clear();

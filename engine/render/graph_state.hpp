@@ -37,7 +37,7 @@ struct GraphMemory::State {
   std::vector<PhysicalResource> resources;
   /// Requirements of the resources above, so that the driver is asked once per description and not once per frame.
   std::vector<VkMemoryRequirements> requirements;
-  bool waited = false;  ///< the last new resources had room only once the old ones were gone
+  bool waited = false;         ///< the last new resources had room only once the old ones were gone
   std::uint64_t compiles = 0;  ///< the graph compiled last owns `resources` until the next one compiles
 
   explicit State(gpu::Device& d) : device(d) {}
@@ -45,8 +45,8 @@ struct GraphMemory::State {
   Result<VkMemoryRequirements> requirementsOf(const PhysicalResource& resource) const;
   /// Memory and objects of a new plan; after an error none of them.
   Result<void> make(std::vector<Heap>& newHeaps, std::vector<PhysicalResource>& newResources);
-  /// Makes `resources` real, or finds that they are already there. Old ones die once the GPU has finished with them. After an error
-  /// there are none, and the next plan starts from nothing.
+  /// Makes `resources` real, or finds that they are already there. Old ones die once the GPU has finished with them.
+  /// After an error there are none, and the next plan starts from nothing.
   Result<void> realize(std::vector<Heap> newHeaps, std::vector<PhysicalResource> newResources,
                        std::vector<VkMemoryRequirements> newRequirements);
 };

@@ -58,7 +58,8 @@ Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::sh
     if (!kept || !kept->drawn || kept->content != content) {
       graph.pass("shadow " + std::to_string(light.source))
           .use(map, Use::kDepthWrite)
-          .run([frame = FramePointer(frame), pipelines = *pipelines, map, fit = light.fit, kept, content](PassContext& context) {
+          .run([frame = FramePointer(frame), pipelines = *pipelines, map, fit = light.fit, kept,
+                content](PassContext& context) {
             for (std::uint32_t face = 0; face < fit.faceCount; ++face) {
               PassContext::DepthAttachment depth{map, true, 1.0f};
               depth.view.baseLayer = face;

@@ -20,12 +20,13 @@ struct PassTools {
 };
 
 /// One pass per light with a map (all faces), clearing it and drawing the casters, and those of its moment map. Fills
-/// frame.shadowMaps and frame.momentMaps. With a `cache`, maps live there, and those that show what they should already are not drawn.
+/// frame.shadowMaps and frame.momentMaps. With a `cache`, maps live there, and those that show what they should already
+/// are not drawn.
 Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame,
                              const std::vector<scene::LightView>& lights, std::uint32_t size, ShadowCache* cache);
 
-/// Passes that make a light's four-moment shadow map: its Gaussian along rows and columns, then its mips. The graph drops
-/// them where nobody reads the result. frame.momentFormat must be set.
+/// Passes that make a light's four-moment shadow map: its Gaussian along rows and columns, then its mips. The graph
+/// drops them where nobody reads the result. frame.momentFormat must be set.
 Result<ImageRef> addMomentPasses(Graph& graph, const PassTools& tools, const FrameData& frame,
                                  const PlannedLight& light, ImageRef shadowMap);
 

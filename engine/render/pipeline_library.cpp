@@ -5,7 +5,8 @@
 namespace tyndall::render {
 namespace {
 
-// A level's materials ask for a dozen or two; a user who goes through levels and settings, for hundreds, megabytes each on some drivers.
+// A level's materials ask for a dozen or two; a user who goes through levels and settings, for hundreds, megabytes each
+// on some drivers.
 constexpr std::size_t kKept = 16;
 constexpr std::uint64_t kKeptFrames = 600, kKeptAfterScene = 20;
 
@@ -96,7 +97,8 @@ PipelineLibrary::Names PipelineLibrary::names() const {
 }
 
 template <class R>
-Result<void> PipelineLibrary::makeAll(const Entries<R>& entries, gpu::Device& device, const std::set<std::string>& known,
+Result<void> PipelineLibrary::makeAll(const Entries<R>& entries, gpu::Device& device,
+                                      const std::set<std::string>& known,
                                       std::vector<std::pair<R, gpu::Pipeline>>& made) {
   for (const auto& [name, entry] : entries) {
     if (known.contains(name)) continue;
@@ -116,7 +118,8 @@ Result<PipelineLibrary::Made> PipelineLibrary::makeFor(gpu::Device& device, cons
 
 template <class R>
 void PipelineLibrary::adoptAll(Entries<R>& entries, std::vector<std::pair<R, gpu::Pipeline>> made) {
-  for (auto& [recipe, pipeline] : made) entries.try_emplace(recipe.desc.name, Entry<R>{recipe, std::move(pipeline), frame_});
+  for (auto& [recipe, pipeline] : made)
+    entries.try_emplace(recipe.desc.name, Entry<R>{recipe, std::move(pipeline), frame_});
 }
 
 void PipelineLibrary::adopt(Made made) {

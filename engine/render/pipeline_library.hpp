@@ -32,7 +32,8 @@ class PipelineLibrary {
   PipelineLibrary(gpu::Device& device, const std::filesystem::path& shaderFolder)
       : device_(device), shaders_(shaderFolder) {}
 
-  /// Begins a frame: where there are many pipelines, those that no frame of late has asked for go; those of an earlier scene soon.
+  /// Begins a frame: where there are many pipelines, those that no frame of late has asked for go; those of an earlier
+  /// scene soon.
   void beginFrame();
   void sceneChanged() { sceneFrame_ = frame_; }
 
@@ -80,7 +81,8 @@ class PipelineLibrary {
   template <class R>
   void letGoOfOld(Entries<R>& entries);
   template <class R>
-  Result<void> makeAll(const Entries<R>& entries, gpu::Device& device, const std::set<std::string>& known, std::vector<std::pair<R, gpu::Pipeline>>& made);
+  Result<void> makeAll(const Entries<R>& entries, gpu::Device& device, const std::set<std::string>& known,
+                       std::vector<std::pair<R, gpu::Pipeline>>& made);
   template <class R>
   void adoptAll(Entries<R>& entries, std::vector<std::pair<R, gpu::Pipeline>> made);
 

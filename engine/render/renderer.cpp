@@ -122,8 +122,9 @@ Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) 
   std::vector<shared::LightBlock> lightBlocks = frame->plan.blocks;
   lightBlocks.resize((lightBlocks.size() / kShadowSlots + 1) * kShadowSlots);
   const auto& instances = frame->draws.instances;
-  TY_ASSERT(input.scene.materials.size() + 1 == resources->materials.size(),
-            "the scene is not the one given to setScene: " + std::to_string(input.scene.materials.size()) + " materials");
+  TY_ASSERT(
+      input.scene.materials.size() + 1 == resources->materials.size(),
+      "the scene is not the one given to setScene: " + std::to_string(input.scene.materials.size()) + " materials");
   const std::vector<std::byte> materials = materialBlocks(input.scene);
   Result<std::vector<BlockRange>> ranges =
       blocks.write({{&view, sizeof(view)},
@@ -165,9 +166,12 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
     if (frame->cookies) frame->cookieArray = graph.import(frame->resources->cookies.image, kRead, kRead);
   }
   if (!input.settings.reuseShadows) state_->shadows.clear();
-  if (Result<void> r = addShadowPasses(graph, tools, frame, input.lights, shadowSize, input.settings.reuseShadows ? &state_->shadows : nullptr); !r)
+  if (Result<void> r = addShadowPasses(graph, tools, frame, input.lights, shadowSize,
+                                       input.settings.reuseShadows ? &state_->shadows : nullptr);
+      !r)
     return r.error();
-  if (Result<void> r = addGBufferPass(graph, tools, frame, !debugView.empty() || !input.settings.offered.empty()); !r) return r.error();
+  if (Result<void> r = addGBufferPass(graph, tools, frame, !debugView.empty() || !input.settings.offered.empty()); !r)
+    return r.error();
   if (Result<void> r = addLightingPasses(graph, tools, frame, input.lights); !r) return r.error();
   if (Result<void> r = addTransparentPass(graph, tools, frame); !r) return r.error();
 
@@ -202,16 +206,20 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
     }
     // A view of the layout before, or one that this frame's lights leave empty: not a mistake of the caller's.
     const bool none = !isEngineDebugView(debugView) && !shown->image;
-    if (none) frame->plan.notes.push_back("debug view '" + debugView + "': there is none in this frame; the picture is shown");
-    Result<ImageRef> picture = none ? addCompositePass(graph, tools, frame->color, output.scatter, input.settings.exposure)
-                                    : addDebugPass(graph, tools, frame->view, *shown);
+    if (none)
+      frame->plan.notes.push_back("debug view '" + debugView + "': there is none in this frame; the picture is shown");
+    Result<ImageRef> picture =
+        none ? addCompositePass(graph, tools, frame->color, output.scatter, input.settings.exposure)
+             : addDebugPass(graph, tools, frame->view, *shown);
     if (!picture) return picture.error();
     output.picture = *picture;
   }
   for (const std::string& name : input.settings.offered) {
     Result<Effect::DebugImage> view = Effect::DebugImage{};
-    if (isEngineDebugView(name)) view = engineDebugImage(graph, tools, *frame, name, output.scatter, input.settings.exposure);
-    else if (input.effect) view = input.effect->debugImage(name);
+    if (isEngineDebugView(name))
+      view = engineDebugImage(graph, tools, *frame, name, output.scatter, input.settings.exposure);
+    else if (input.effect)
+      view = input.effect->debugImage(name);
     if (!view) return view.error();
     output.views.push_back(*view);
   }

@@ -45,8 +45,8 @@ struct SceneResources {
   std::vector<MaterialBindings> materials;     ///< one more than the scene's: the last is glTF's default material
 };
 
-/// One shared::MaterialBlock every kMaterialStride bytes, in the order of SceneResources::materials. They are a frame's, not the
-/// level's: the numbers of materials may change from one frame to the next.
+/// One shared::MaterialBlock every kMaterialStride bytes, in the order of SceneResources::materials. They are a
+/// frame's, not the level's: the numbers of materials may change from one frame to the next.
 std::vector<std::byte> materialBlocks(const scene::Scene& scene);
 
 /// Errors: lack of memory, an image larger than the device takes.

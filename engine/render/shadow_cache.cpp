@@ -10,8 +10,13 @@ std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit) {
   // The order of draws follows the camera and is not a part of it.
   std::uint64_t casters = 0;
   for (const Draw& draw : frame.draws.solid)
-    casters += Hash().add(draw.range.firstIndex).add(draw.range.indexCount).add(draw.range.vertexOffset).add(draw.range.material)
-                   .add(frame.draws.instances[draw.instance].worldFromObject).value();
+    casters += Hash()
+                   .add(draw.range.firstIndex)
+                   .add(draw.range.indexCount)
+                   .add(draw.range.vertexOffset)
+                   .add(draw.range.material)
+                   .add(frame.draws.instances[draw.instance].worldFromObject)
+                   .value();
   Hash hash;
   hash.add(casters).add(frame.materialsHash).add(frame.resources.get()).add(fit.useful).add(fit.faceCount);
   for (std::uint32_t face = 0; face < fit.faceCount; ++face) hash.add(fit.clipFromWorld[face]);
@@ -19,7 +24,8 @@ std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit) {
 }
 
 Result<std::shared_ptr<KeptShadowMap>> ShadowCache::map(std::uint32_t source, gpu::ImageDesc desc) {
-  desc.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  desc.usage =
+      VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   std::shared_ptr<KeptShadowMap>& kept = maps_[source];
   if (kept && kept->image.desc() == desc) return kept;
   kept.reset();
@@ -32,7 +38,8 @@ Result<std::shared_ptr<KeptShadowMap>> ShadowCache::map(std::uint32_t source, gp
 
 void ShadowCache::keepOnly(const std::vector<PlannedLight>& lights) {
   std::erase_if(maps_, [&](const auto& entry) {
-    return std::none_of(lights.begin(), lights.end(), [&](const PlannedLight& light) { return light.source == entry.first; });
+    return std::none_of(lights.begin(), lights.end(),
+                        [&](const PlannedLight& light) { return light.source == entry.first; });
   });
 }
 

@@ -23,7 +23,8 @@ std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit);
 class ShadowCache {
  public:
   explicit ShadowCache(gpu::Device& device) : device_(device) {}
-  /// The map of light `source` (index into the frame's lights); a new one if there is none of this shape. Frames hold what they use.
+  /// The map of light `source` (index into the frame's lights); a new one if there is none of this shape. Frames hold
+  /// what they use.
   Result<std::shared_ptr<KeptShadowMap>> map(std::uint32_t source, gpu::ImageDesc desc);
   /// Lets go of all maps but those of these lights.
   void keepOnly(const std::vector<PlannedLight>& lights);

@@ -42,23 +42,28 @@ StandIn standInFor(const Renderer::Input& frame) {
     if (light.cookie && light.cookie->texture != scene::kNone)
       whole.insert(frame.scene.textures[static_cast<std::size_t>(light.cookie->texture)].image);
   for (std::size_t i = 0; i < frame.scene.images.size(); ++i)
-    made.scene.images.push_back(whole.contains(static_cast<std::int32_t>(i)) ? frame.scene.images[i] : shrunk(frame.scene.images[i]));
+    made.scene.images.push_back(whole.contains(static_cast<std::int32_t>(i)) ? frame.scene.images[i]
+                                                                             : shrunk(frame.scene.images[i]));
 
   std::map<bool, std::set<std::int32_t>> kinds;  // by whether the node mirrors
   for (std::size_t n = 0; n < frame.scene.nodes.size(); ++n) {
     const std::int32_t mesh = frame.scene.nodes[n].mesh;
     if (mesh == scene::kNone) continue;
     const bool mirrors = glm::determinant(glm::mat3(frame.worldFromNode[n])) < 0;
-    for (const scene::Primitive& p : frame.scene.meshes[static_cast<std::size_t>(mesh)].primitives) kinds[mirrors].insert(p.material);
+    for (const scene::Primitive& p : frame.scene.meshes[static_cast<std::size_t>(mesh)].primitives)
+      kinds[mirrors].insert(p.material);
   }
   for (const auto& [mirrors, materials] : kinds) {
     scene::Mesh mesh;
-    for (const std::int32_t material : materials) mesh.primitives.push_back(triangle(material, 2 * frame.camera.camera.znear));
+    for (const std::int32_t material : materials)
+      mesh.primitives.push_back(triangle(material, 2 * frame.camera.camera.znear));
     scene::Node node;
     node.mesh = static_cast<std::int32_t>(made.scene.meshes.size());
     made.scene.meshes.push_back(std::move(mesh));
     made.scene.nodes.push_back(node);
-    made.worldFromNode.push_back(frame.camera.worldFromView * glm::mat4(glm::mat3(glm::vec3(mirrors ? -1 : 1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1))));
+    made.worldFromNode.push_back(
+        frame.camera.worldFromView *
+        glm::mat4(glm::mat3(glm::vec3(mirrors ? -1 : 1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1))));
   }
   return made;
 }

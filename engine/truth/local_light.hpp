@@ -20,9 +20,10 @@ class LocalLight {
   LocalLight(const scene::Scene& scene, const scene::LightView& light, const glm::dvec3& eye);
 
   /// Integral of exp(-sigma_t (t + d)) p V a dt over [0, length], in 1/(m sr), where d is the distance to the light and
-  /// a its attenuation and its image's colour: times sigma_s and the candela it is the radiance. Strata of equal angle as seen from the light
-  /// (Kulla and Fajardo 2012, "Importance Sampling Techniques for Path Tracing in Participating Media"),
-  /// each weighted by Gaussian quadrature of the unshadowed integrand and counted if its middle sees the light.
+  /// a its attenuation and its image's colour: times sigma_s and the candela it is the radiance. Strata of equal angle
+  /// as seen from the light (Kulla and Fajardo 2012, "Importance Sampling Techniques for Path Tracing in Participating
+  /// Media"), each weighted by Gaussian quadrature of the unshadowed integrand and counted if its middle sees the
+  /// light.
   glm::dvec3 scatter(const glm::dvec3& direction, double length, const Medium& medium, std::uint32_t samples,
                      ShadowRays& rays) const;
 

@@ -17,8 +17,8 @@ std::optional<Interval> shadowable(const Box& casters, const glm::dvec3& travel,
 
 /// Integral of exp(-sigma_t t) p V dt over [0, length], in m/sr: times sigma_s and the irradiance it is the radiance.
 /// The lit ends are closed forms; the shadowable part is cut into `samples` strata of equal weight, each of which
-/// counts if its middle (in transmittance) sees the sun. With an image (null: none) all parts are cut so, and the image is
-/// looked up at the middles.
+/// counts if its middle (in transmittance) sees the sun. With an image (null: none) all parts are cut so, and the image
+/// is looked up at the middles.
 glm::dvec3 sunScatter(const glm::dvec3& travel, const LightImage* image, const glm::dvec3& direction, double length,
                       const Medium& medium, const Box& casters, std::uint32_t samples, ShadowRays& rays);
 

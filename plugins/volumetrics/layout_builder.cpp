@@ -128,7 +128,8 @@ std::uint32_t LayoutBuilder::compute(ComputePass pass) {
   return index;
 }
 
-std::uint32_t LayoutBuilder::casters(std::string name, std::uint32_t image, std::uint32_t layer, std::uint32_t uniformBlock) {
+std::uint32_t LayoutBuilder::casters(std::string name, std::uint32_t image, std::uint32_t layer,
+                                     std::uint32_t uniformBlock) {
   names_.push_back(std::move(name));
   TyTarget& target = targets_.emplace_back();
   target.struct_size = sizeof(TyTarget);
@@ -151,8 +152,8 @@ std::uint32_t LayoutBuilder::casters(std::string name, std::uint32_t image, std:
   return static_cast<std::uint32_t>(passes_.size() - 1);
 }
 
-void LayoutBuilder::debugView(std::string name, std::string doc, TySource source, std::uint32_t index, std::uint32_t layer,
-                              std::uint32_t channel, float low, float high, TyViewRole role) {
+void LayoutBuilder::debugView(std::string name, std::string doc, TySource source, std::uint32_t index,
+                              std::uint32_t layer, std::uint32_t channel, float low, float high, TyViewRole role) {
   if (std::any_of(views_.begin(), views_.end(), [&](const TyDebugView& view) { return name == view.name; })) return;
   TyDebugView made{};
   made.struct_size = sizeof(TyDebugView);
@@ -170,7 +171,9 @@ void LayoutBuilder::debugView(std::string name, std::string doc, TySource source
 
 void LayoutBuilder::tunable(std::uint32_t parameter, double automatic, std::vector<double> variants,
                             std::vector<const char*> passes) {
-  if (std::any_of(tunables_.begin(), tunables_.end(), [&](const TyTunable& other) { return other.parameter == parameter; })) return;
+  if (std::any_of(tunables_.begin(), tunables_.end(),
+                  [&](const TyTunable& other) { return other.parameter == parameter; }))
+    return;
   variants_.push_back(std::move(variants));
   passNames_.push_back(std::move(passes));
   TyTunable made{};

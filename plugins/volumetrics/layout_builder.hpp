@@ -43,28 +43,32 @@ struct ComputePass {
 class LayoutBuilder {
  public:
   void clear();
-  /// Images, buffers and debug views of a name that is there already, and of the same shape, are shared: lights of all kinds take turns in
-  /// them. An image of another shape gets a name of its own.
-  std::uint32_t image(const char* name, TyFormat format, std::uint32_t width, std::uint32_t height, std::uint32_t layers = 1,
-                      bool array = false, std::uint32_t mips = 1);
+  /// Images, buffers and debug views of a name that is there already, and of the same shape, are shared: lights of all
+  /// kinds take turns in them. An image of another shape gets a name of its own.
+  std::uint32_t image(const char* name, TyFormat format, std::uint32_t width, std::uint32_t height,
+                      std::uint32_t layers = 1, bool array = false, std::uint32_t mips = 1);
   std::uint32_t mipsOf(std::uint32_t image) const { return images_[image].mips; }
   std::uint32_t layersOf(std::uint32_t image) const { return images_[image].depth; }
   std::uint32_t buffer(const char* name, std::uint64_t bytes);
   std::uint32_t uniform(std::string name, std::uint32_t bytes, bool perLight);
-  /// Kinds of light that passes for kEachLight run for from here on, those with a cookie or those without: LayoutRoles::classes keeps which.
-  void lights(std::uint32_t kinds, bool cookie, bool fading = false) { roles_.classes.push_back({kinds, cookie, fading, {}}); }
+  /// Kinds of light that passes for kEachLight run for from here on, those with a cookie or those without:
+  /// LayoutRoles::classes keeps which.
+  void lights(std::uint32_t kinds, bool cookie, bool fading = false) {
+    roles_.classes.push_back({kinds, cookie, fading, {}});
+  }
   /// Compute passes from here on that bind uniform block `from` get block `to` instead; the same twice: as they were.
   void substituteUniform(std::uint32_t from, std::uint32_t to) { substituted_ = from, substitute_ = to; }
   /// Specialization constants that every compute pass from here on gets besides its own.
   void specializeAll(std::vector<TySpecialization> constants) { common_ = std::move(constants); }
   /// Returns the pass's index.
   std::uint32_t compute(ComputePass pass);
-  /// Rasterises the casters of every directional light, by the matrix at the start of `uniformBlock`, into one layer of a D32 image:
-  /// cleared to 1, nearer kept. Returns the pass's index.
+  /// Rasterises the casters of every directional light, by the matrix at the start of `uniformBlock`, into one layer of
+  /// a D32 image: cleared to 1, nearer kept. Returns the pass's index.
   std::uint32_t casters(std::string name, std::uint32_t image, std::uint32_t layer, std::uint32_t uniformBlock);
   void debugView(std::string name, std::string doc, TySource source, std::uint32_t index, std::uint32_t layer,
                  std::uint32_t channel, float low, float high, TyViewRole role = TY_VIEW_PLAIN);
-  void tunable(std::uint32_t parameter, double automatic, std::vector<double> variants, std::vector<const char*> passes);
+  void tunable(std::uint32_t parameter, double automatic, std::vector<double> variants,
+               std::vector<const char*> passes);
   LayoutRoles& roles() { return roles_; }
   /// Valid until the next clear().
   const TyLayout& finish();

@@ -46,8 +46,8 @@ const TyTechnique* listTechniques(std::uint32_t* count, std::uint32_t* selector)
   static const std::vector<TyTechnique> list = [] {
     std::vector<TyTechnique> made;
     for (const Technique& technique : techniques())
-      made.push_back({sizeof(TyTechnique), static_cast<std::uint32_t>(technique.reads.size()), technique.id, technique.name,
-                      technique.doc, technique.reads.data()});
+      made.push_back({sizeof(TyTechnique), static_cast<std::uint32_t>(technique.reads.size()), technique.id,
+                      technique.name, technique.doc, technique.reads.data()});
     return made;
   }();
   *count = static_cast<std::uint32_t>(list.size());
@@ -61,18 +61,21 @@ void destroy(TyInstance* instance) { const std::unique_ptr<TyInstance> owned(ins
 /// Says once per change how many lights the chosen technique cannot scatter, instead of leaving them out in silence.
 void reportLocalLights(TyInstance& instance, std::uint32_t leftOut) {
   if (leftOut > instance.localLightsReported)
-    say(TY_LOG_WARNING, std::to_string(leftOut) + " spot or point light(s) light surfaces but scatter nothing with volumetrics.technique=" +
+    say(TY_LOG_WARNING, std::to_string(leftOut) +
+                            " spot or point light(s) light surfaces but scatter nothing with volumetrics.technique=" +
                             instance.technique->id + ": only directional lights do");
   instance.localLightsReported = leftOut;
 }
 
 const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStructure* structure) try {
-  LayoutContext context{*device, *structure, readSettings(structure->values, structure->value_count), 0, TY_FORMAT_UNKNOWN};
+  LayoutContext context{*device, *structure, readSettings(structure->values, structure->value_count), 0,
+                        TY_FORMAT_UNKNOWN};
   // A host of version 1.0 hands in a shorter struct.
   if (structure->struct_size >= offsetof(TyStructure, shadow_moments_format) + sizeof structure->shadow_moments_format)
     context.shadowMoments = structure->shadow_moments_format;
-  const bool cookies = structure->struct_size >= offsetof(TyStructure, light_cookies) + sizeof structure->light_cookies &&
-                       structure->light_cookies != nullptr;
+  const bool cookies =
+      structure->struct_size >= offsetof(TyStructure, light_cookies) + sizeof structure->light_cookies &&
+      structure->light_cookies != nullptr;
   for (std::uint32_t i = 0; i < structure->light_count; ++i) {
     const bool sun = structure->light_kinds[i] == TY_LIGHT_DIRECTIONAL;
     context.directionalLights += sun ? 1 : 0;
@@ -91,19 +94,23 @@ const TyLayout* layout(TyInstance* instance, const TyDevice* device, const TyStr
     reportLocalLights(*instance, instance->technique->localLights ? 0 : context.localLights());
     const bool cookiesLeftOut = !instance->technique->localLights && context.sunCookies > 0;
     if (cookiesLeftOut && !instance->cookiesReported)
-      say(TY_LOG_WARNING, std::to_string(context.sunCookies) + " directional light(s) scatter without their cookie with volumetrics.technique=" +
+      say(TY_LOG_WARNING, std::to_string(context.sunCookies) +
+                              " directional light(s) scatter without their cookie with volumetrics.technique=" +
                               instance->technique->id);
     instance->cookiesReported = cookiesLeftOut;
     instance->technique->layout(context, instance->builder);
   }
   const bool missing = instance->builder.roles().momentsMissing;
   if (missing && !instance->momentsMissing)
-    say(TY_LOG_WARNING, "volumetrics.filtered_resampling: this host makes no moment shadow maps; the rows are resampled unfiltered");
+    say(TY_LOG_WARNING,
+        "volumetrics.filtered_resampling: this host makes no moment shadow maps; the rows are resampled unfiltered");
   instance->momentsMissing = missing;
   const bool noScan = instance->builder.roles().scanImpossible;
   if (noScan && !instance->scanImpossible)
-    say(TY_LOG_WARNING, "volumetrics.prefix_scheme=scan: this device's shared memory does not hold a row of so many columns; rows are built "
-                        "by blocks");
+    say(TY_LOG_WARNING,
+        "volumetrics.prefix_scheme=scan: this device's shared memory does not hold a row of so many columns; rows are "
+        "built "
+        "by blocks");
   instance->scanImpossible = noScan;
   return &instance->builder.finish();
 } catch (const std::exception& error) {
@@ -117,12 +124,15 @@ bool prepare(TyInstance* instance, const TyFrame* frame, const TyUniformData* ou
   instance->technique->prepare(
       {*frame, *out, readSettings(frame->values, frame->value_count), instance->builder.roles(), report});
   if (report.linearImpossible && !instance->linearImpossible)
-    say(TY_LOG_WARNING, "volumetrics.rectification=linear: no projective map exists while the light or its antipode is in view; "
-                        "the epipolar one is used until it does");
+    say(TY_LOG_WARNING,
+        "volumetrics.rectification=linear: no projective map exists while the light or its antipode is in view; "
+        "the epipolar one is used until it does");
   instance->linearImpossible = report.linearImpossible;
   if (report.linearCookie && !instance->linearCookie)
-    say(TY_LOG_WARNING, "volumetrics.rectification=linear: a sun with a cookie is visible all along a ray, which projective maps do not hold; "
-                        "the epipolar one is used for it");
+    say(TY_LOG_WARNING,
+        "volumetrics.rectification=linear: a sun with a cookie is visible all along a ray, which projective maps do "
+        "not hold; "
+        "the epipolar one is used for it");
   instance->linearCookie = report.linearCookie;
   return true;
 } catch (const std::exception& error) {

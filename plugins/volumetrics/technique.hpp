@@ -18,18 +18,18 @@ class LayoutBuilder;
 
 /// Passes that serve one class of lights (stages/rectify.hpp): prepare() leaves them out for the others of their kinds.
 struct ClassPasses {
-  std::uint32_t kinds = 0;               ///< bits of TyLightKind
-  bool cookie = false;                   ///< of lights with a cookie, or of those without
-  bool fading = false;                   ///< for the second map of a sun whose rectification changes
+  std::uint32_t kinds = 0;  ///< bits of TyLightKind
+  bool cookie = false;      ///< of lights with a cookie, or of those without
+  bool fading = false;      ///< for the second map of a sun whose rectification changes
   std::vector<std::uint32_t> passes;
 };
 
 /// Passes and blocks that make a sun's rectified map.
 struct MapPasses {
-  std::uint32_t rectifyPass = TY_NONE;   ///< resampling, skipped in frames with a projective map
-  std::uint32_t casterPass = TY_NONE;    ///< first of the passes that rasterise projective maps, skipped in other frames
-  std::uint32_t casterBlock = TY_NONE;   ///< first of their uniform blocks, one mat4 each
-  std::uint32_t splits = 0;              ///< how many of both
+  std::uint32_t rectifyPass = TY_NONE;  ///< resampling, skipped in frames with a projective map
+  std::uint32_t casterPass = TY_NONE;   ///< first of the passes that rasterise projective maps, skipped in other frames
+  std::uint32_t casterBlock = TY_NONE;  ///< first of their uniform blocks, one mat4 each
+  std::uint32_t splits = 0;             ///< how many of both
 };
 
 /// Passes and blocks of a layout that prepare() must find again.
@@ -37,15 +37,16 @@ struct LayoutRoles {
   MapPasses map, fadingMap;
   std::vector<ClassPasses> classes;
   std::vector<std::uint32_t> localPasses;  ///< those that run for spot or point lights
-  std::uint32_t standInClear = TY_NONE;  ///< clears the result in frames in which the only light, a local one, reaches no view ray
-  bool momentsMissing = false;           ///< filtered resampling was asked for, but the host makes no moment shadow maps
-  bool scanImpossible = false;           ///< a workgroup scan was asked for, but shared memory does not hold a row
+  std::uint32_t standInClear =
+      TY_NONE;  ///< clears the result in frames in which the only light, a local one, reaches no view ray
+  bool momentsMissing = false;  ///< filtered resampling was asked for, but the host makes no moment shadow maps
+  bool scanImpossible = false;  ///< a workgroup scan was asked for, but shared memory does not hold a row
 };
 
 /// What a prepare() has to tell people, once.
 struct FrameReport {
-  bool linearImpossible = false;         ///< rectification=linear, but no projective map exists for this view
-  bool linearCookie = false;             ///< rectification=linear, but a sun has a cookie
+  bool linearImpossible = false;  ///< rectification=linear, but no projective map exists for this view
+  bool linearCookie = false;      ///< rectification=linear, but a sun has a cookie
 };
 
 /// What prepare() gets, with the values already read.
@@ -74,7 +75,7 @@ struct LayoutContext {
   std::uint32_t directionalLights = 0;
   std::uint32_t localLights() const { return structure.light_count - directionalLights; }  ///< spot and point lights
   std::uint32_t shadowMoments = TY_FORMAT_UNKNOWN;  ///< TyFormat of the host's moment shadow maps
-  std::uint32_t sunCookies = 0, localCookies = 0;    ///< suns, and spot or point lights, that have a cookie
+  std::uint32_t sunCookies = 0, localCookies = 0;   ///< suns, and spot or point lights, that have a cookie
 };
 
 struct Technique {
@@ -84,7 +85,7 @@ struct Technique {
   std::span<const char* const> reads;
   void (*layout)(const LayoutContext& context, LayoutBuilder& builder);
   void (*prepare)(const FrameContext& context);
-  bool localLights = false;              ///< spot and point lights scatter too
+  bool localLights = false;  ///< spot and point lights scatter too
 };
 
 }  // namespace volumetrics

@@ -27,12 +27,19 @@ std::int32_t palletMesh(LevelBuilder& level, const Materials& m) {
 
 std::int32_t drumMesh(LevelBuilder& level, std::int32_t paint) {
   MeshBuilder tin;
-  std::vector<glm::vec2> profile{{0.01f, 0.02f}, {0.28f, 0.02f}, {0.28f, 0.02f}, {0.29f, 0}, {0.29f, 0}, {0.29f, 0.02f}};
+  std::vector<glm::vec2> profile{{0.01f, 0.02f}, {0.28f, 0.02f}, {0.28f, 0.02f},
+                                 {0.29f, 0},     {0.29f, 0},     {0.29f, 0.02f}};
   for (const float y : {0.29f, 0.58f})
     for (const glm::vec2 p : {glm::vec2(0.285f, -0.03f), {0.298f, 0}, {0.285f, 0.03f}})
       profile.emplace_back(p.x, y + p.y);
-  for (const glm::vec2 p :
-       {glm::vec2(0.285f, 0.86f), {0.29f, 0.88f}, {0.29f, 0.88f}, {0.275f, 0.88f}, {0.275f, 0.88f}, {0.275f, 0.86f}, {0.275f, 0.86f}, {0.01f, 0.86f}})
+  for (const glm::vec2 p : {glm::vec2(0.285f, 0.86f),
+                            {0.29f, 0.88f},
+                            {0.29f, 0.88f},
+                            {0.275f, 0.88f},
+                            {0.275f, 0.88f},
+                            {0.275f, 0.86f},
+                            {0.275f, 0.86f},
+                            {0.01f, 0.86f}})
     profile.push_back(p);
   lathe(tin, profile, 22);
   return level.mesh("drum", {tin.finish(paint)});

@@ -10,18 +10,20 @@
 namespace tyndall::lib {
 using namespace glm;
 
-#define TYNDALL_LIB_PRECISION(NAME, TYPE)     \
-  namespace NAME {                            \
-  using Real = TYPE;                          \
-  using Real2 = glm::vec<2, TYPE>;            \
-  using Real3 = glm::vec<3, TYPE>;            \
-  using Real4 = glm::vec<4, TYPE>;            \
+#define TYNDALL_LIB_PRECISION(NAME, TYPE) \
+  namespace NAME {                        \
+  using Real = TYPE;                      \
+  using Real2 = glm::vec<2, TYPE>;        \
+  using Real3 = glm::vec<3, TYPE>;        \
+  using Real4 = glm::vec<4, TYPE>;        \
   }
 TYNDALL_LIB_PRECISION(f32, float)
 TYNDALL_LIB_PRECISION(f64, double)
 TYNDALL_LIB_PRECISION(f80, long double)
 #undef TYNDALL_LIB_PRECISION
 
+// Later files use what earlier ones define.
+// clang-format off
 namespace f32 {
 #include "lib/medium.glsl"
 #include "lib/epipolar.glsl"
@@ -55,6 +57,7 @@ namespace f80 {
 #include "lib/local_light.glsl"
 #include "lib/cube_map.glsl"
 }  // namespace f80
+// clang-format on
 }  // namespace tyndall::lib
 
 #undef R

@@ -31,14 +31,14 @@ struct UvTransform {
 };
 
 struct MaterialBlock {
-  vec4 baseColor;                  // linear
+  vec4 baseColor;  // linear
   vec3 emissive;
   float metallic;
   float roughness;
   float normalScale;
   float occlusionStrength;
   float alphaCutoff;
-  uint flags;                      // kMaterial...
+  uint flags;  // kMaterial...
   UvTransform baseColorUv, metallicRoughnessUv, normalUv, occlusionUv, emissiveUv;
 };
 

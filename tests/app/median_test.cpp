@@ -14,7 +14,9 @@ TEST(Median, OfAnOddNumberIsTheOneInTheMiddle) {
   EXPECT_EQ(medianFrame(frames)[0].milliseconds, 3);
 }
 
-TEST(Median, OfAnEvenNumberIsTheLowerOfTheTwo) { EXPECT_EQ(totalMs(medianFrame({frame(4, 0), frame(1, 0), frame(2, 0), frame(3, 0)})), 2); }
+TEST(Median, OfAnEvenNumberIsTheLowerOfTheTwo) {
+  EXPECT_EQ(totalMs(medianFrame({frame(4, 0), frame(1, 0), frame(2, 0), frame(3, 0)})), 2);
+}
 TEST(Median, OfOneIsItself) { EXPECT_EQ(totalMs(medianFrame({frame(4, 1)})), 5); }
 
 }  // namespace

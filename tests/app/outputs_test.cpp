@@ -18,7 +18,9 @@ class OutputsTest : public ::testing::Test {
     folder_ = name;
   }
   void TearDown() override { fs::remove_all(folder_); }
-  std::size_t count() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator())); }
+  std::size_t count() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
   static Outputs::Write text(std::string content) {
     return [content](const fs::path& path) { return writeTextAtomically(path, content); };
   }
@@ -42,7 +44,9 @@ TEST_F(OutputsTest, AFailureLeavesNothingAndKeepsWhatWasThere) {
     ASSERT_TRUE(outputs.add("--out", folder_ / "a.png", ".png").ok());
     ASSERT_TRUE(outputs.add("--stats", folder_ / "s.json", ".json").ok());
     ASSERT_TRUE(outputs.write("--out", text("new")).ok());
-    auto second = outputs.write("--stats", [](const fs::path& path) -> Result<void> { return failed(path.string() + ": cannot be written: disk full"); });
+    auto second = outputs.write("--stats", [](const fs::path& path) -> Result<void> {
+      return failed(path.string() + ": cannot be written: disk full");
+    });
     ASSERT_FALSE(second.ok());
     EXPECT_EQ(second.error().message, "--stats " + (folder_ / "s.json").string() + ": cannot be written: disk full");
   }

@@ -18,7 +18,8 @@ TEST(Values, CountsAreWholeNumbersInTheirRange) {
 
 TEST(Values, Sizes) {
   EXPECT_EQ(*readSize("--size", "1280x720"), (std::pair<std::uint32_t, std::uint32_t>{1280, 720}));
-  for (const char* text : {"0x1", "1x0", "1", "x", "1x", "x1", "1X1", "1x1x1", "-1x1", "1x 1"}) EXPECT_FALSE(readSize("--size", text).ok()) << text;
+  for (const char* text : {"0x1", "1x0", "1", "x", "1x", "x1", "1X1", "1x1x1", "-1x1", "1x 1"})
+    EXPECT_FALSE(readSize("--size", text).ok()) << text;
   // Too great for 32 bits is not an overflow but a size beyond every limit.
   auto vast = readSize("--size", "99999999999999999999x2");
   ASSERT_TRUE(vast.ok());

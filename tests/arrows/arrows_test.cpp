@@ -19,7 +19,8 @@ std::map<std::string, std::string> readTree() {
     if (!fs::exists(root / part)) continue;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / part)) {
       const std::string extension = entry.path().extension().string();
-      if (extension != ".cpp" && extension != ".hpp" && extension != ".c" && extension != ".h" && extension != ".glsl") continue;
+      if (extension != ".cpp" && extension != ".hpp" && extension != ".c" && extension != ".h" && extension != ".glsl")
+        continue;
       std::ifstream file(entry.path());
       tree[entry.path().lexically_relative(root).generic_string()] = {std::istreambuf_iterator<char>(file), {}};
     }

@@ -27,49 +27,76 @@ TEST(BadExamples, GpuSeesScene) {
 }
 
 TEST(BadExamples, UpwardArrows) {
-  EXPECT_THAT(check("engine/scene/x.cpp", "#include <gpu/device.hpp>\n"), ElementsAre(HasSubstr("scene may not see gpu")));
-  EXPECT_THAT(check("engine/render/x.cpp", "#include \"params/params.hpp\"\n"), ElementsAre(HasSubstr("render may not see params")));
-  EXPECT_THAT(check("engine/render/x.cpp", "#include \"tyndall/plugin.h\"\n"), ElementsAre(HasSubstr("render may not see abi")));
-  EXPECT_THAT(check("engine/truth/x.cpp", "#include \"render/frame.hpp\"\n"), ElementsAre(HasSubstr("truth may not see render")));
-  EXPECT_THAT(check("engine/truth/x.cpp", "#include \"lib/medium.glsl\"\n"), ElementsAre(HasSubstr("truth may not see lib")));
-  EXPECT_THAT(check("engine/base/x.cpp", "#include \"image/image_io.hpp\"\n"), ElementsAre(HasSubstr("base may not see image")));
-  EXPECT_THAT(check("engine/host/x.cpp", "#include \"app/session.hpp\"\n"), ElementsAre(HasSubstr("host may not see app")));
+  EXPECT_THAT(check("engine/scene/x.cpp", "#include <gpu/device.hpp>\n"),
+              ElementsAre(HasSubstr("scene may not see gpu")));
+  EXPECT_THAT(check("engine/render/x.cpp", "#include \"params/params.hpp\"\n"),
+              ElementsAre(HasSubstr("render may not see params")));
+  EXPECT_THAT(check("engine/render/x.cpp", "#include \"tyndall/plugin.h\"\n"),
+              ElementsAre(HasSubstr("render may not see abi")));
+  EXPECT_THAT(check("engine/truth/x.cpp", "#include \"render/frame.hpp\"\n"),
+              ElementsAre(HasSubstr("truth may not see render")));
+  EXPECT_THAT(check("engine/truth/x.cpp", "#include \"lib/medium.glsl\"\n"),
+              ElementsAre(HasSubstr("truth may not see lib")));
+  EXPECT_THAT(check("engine/base/x.cpp", "#include \"image/image_io.hpp\"\n"),
+              ElementsAre(HasSubstr("base may not see image")));
+  EXPECT_THAT(check("engine/host/x.cpp", "#include \"app/session.hpp\"\n"),
+              ElementsAre(HasSubstr("host may not see app")));
 }
 
 TEST(BadExamples, RelativePathIntoAnotherRoom) {
-  EXPECT_THAT(check("engine/scene/x.cpp", "#include \"../gpu/state.hpp\"\n"), ElementsAre(HasSubstr("scene may not see gpu")));
+  EXPECT_THAT(check("engine/scene/x.cpp", "#include \"../gpu/state.hpp\"\n"),
+              ElementsAre(HasSubstr("scene may not see gpu")));
 }
 
 TEST(BadExamples, Plugins) {
-  EXPECT_THAT(check("plugins/volumetrics/plugin.cpp", "#include \"gpu/device.hpp\"\n"), ElementsAre(HasSubstr("plugin:volumetrics may not see gpu")));
-  EXPECT_THAT(check("plugins/volumetrics/plugin.cpp", "#include <vulkan/vulkan.h>\n"), ElementsAre(HasSubstr("Vulkan may not be used in plugin:volumetrics")));
-  EXPECT_THAT(check("plugins/volumetrics/plugin.cpp", "#include <unistd.h>\n"), ElementsAre(HasSubstr("may use only the ABI")));
-  EXPECT_THAT(check("plugins/other/plugin.cpp", "#include \"../volumetrics/geometry/epipolar.hpp\"\n"), ElementsAre(HasSubstr("plugin:other may not see plugin:volumetrics")));
+  EXPECT_THAT(check("plugins/volumetrics/plugin.cpp", "#include \"gpu/device.hpp\"\n"),
+              ElementsAre(HasSubstr("plugin:volumetrics may not see gpu")));
+  EXPECT_THAT(check("plugins/volumetrics/plugin.cpp", "#include <vulkan/vulkan.h>\n"),
+              ElementsAre(HasSubstr("Vulkan may not be used in plugin:volumetrics")));
+  EXPECT_THAT(check("plugins/volumetrics/plugin.cpp", "#include <unistd.h>\n"),
+              ElementsAre(HasSubstr("may use only the ABI")));
+  EXPECT_THAT(check("plugins/other/plugin.cpp", "#include \"../volumetrics/geometry/epipolar.hpp\"\n"),
+              ElementsAre(HasSubstr("plugin:other may not see plugin:volumetrics")));
 }
 
 TEST(BadExamples, Libraries) {
-  EXPECT_THAT(check("engine/render/x.cpp", "#include <imgui.h>\n"), ElementsAre(HasSubstr("Dear ImGui may not be used in render")));
-  EXPECT_THAT(check("engine/gpu/x.cpp", "#include <GLFW/glfw3.h>\n"), ElementsAre(HasSubstr("GLFW may not be used in gpu")));
-  EXPECT_THAT(check("engine/gpu/x.cpp", "#include <dlfcn.h>\n"), ElementsAre(HasSubstr("dlopen may not be used in gpu")));
-  EXPECT_THAT(check("engine/params/include/params/x.hpp", "#include <nlohmann/json.hpp>\n"), ElementsAre(HasSubstr("may not be in a header")));
+  EXPECT_THAT(check("engine/render/x.cpp", "#include <imgui.h>\n"),
+              ElementsAre(HasSubstr("Dear ImGui may not be used in render")));
+  EXPECT_THAT(check("engine/gpu/x.cpp", "#include <GLFW/glfw3.h>\n"),
+              ElementsAre(HasSubstr("GLFW may not be used in gpu")));
+  EXPECT_THAT(check("engine/gpu/x.cpp", "#include <dlfcn.h>\n"),
+              ElementsAre(HasSubstr("dlopen may not be used in gpu")));
+  EXPECT_THAT(check("engine/params/include/params/x.hpp", "#include <nlohmann/json.hpp>\n"),
+              ElementsAre(HasSubstr("may not be in a header")));
 }
 
 TEST(BadExamples, TinygltfInTwoFiles) {
-  const auto broken = brokenArrows({{"engine/scene/gltf.cpp", "#include <tiny_gltf.h>\n"}, {"engine/scene/second.cpp", "#include <tiny_gltf.h>\n"}});
-  EXPECT_THAT(broken, ElementsAre("tinygltf may appear in 1 file, it does in engine/scene/gltf.cpp engine/scene/second.cpp"));
+  const auto broken = brokenArrows(
+      {{"engine/scene/gltf.cpp", "#include <tiny_gltf.h>\n"}, {"engine/scene/second.cpp", "#include <tiny_gltf.h>\n"}});
+  EXPECT_THAT(broken,
+              ElementsAre("tinygltf may appear in 1 file, it does in engine/scene/gltf.cpp engine/scene/second.cpp"));
 }
 
 TEST(GoodExamples, AreNotReported) {
-  EXPECT_THAT(check("engine/render/x.cpp", "#include \"gpu/device.hpp\"\n#include \"scene/scene.hpp\"\n#include \"shared/types.h\"\n#include <volk.h>\n"), IsEmpty());
-  EXPECT_THAT(check("engine/host/x.cpp", "#include \"gpu/device.hpp\"\n#include <tyndall/plugin.h>\n#include <dlfcn.h>\n"), IsEmpty());
-  EXPECT_THAT(check("plugins/volumetrics/plugin.cpp",
-                    "#include <tyndall/plugin.h>\n#include <cmath>\n#include <stdint.h>\n#include <glm/glm.hpp>\n#include \"geometry/epipolar.hpp\"\n#include \"lib/medium.glsl\"\n"),
+  EXPECT_THAT(check("engine/render/x.cpp",
+                    "#include \"gpu/device.hpp\"\n#include \"scene/scene.hpp\"\n#include \"shared/types.h\"\n#include "
+                    "<volk.h>\n"),
               IsEmpty());
-  EXPECT_THAT(check("editor/main.cpp", "#include <GLFW/glfw3.h>\n#include <imgui.h>\n#include \"app/session.hpp\"\n"), IsEmpty());
+  EXPECT_THAT(
+      check("engine/host/x.cpp", "#include \"gpu/device.hpp\"\n#include <tyndall/plugin.h>\n#include <dlfcn.h>\n"),
+      IsEmpty());
+  EXPECT_THAT(check("plugins/volumetrics/plugin.cpp",
+                    "#include <tyndall/plugin.h>\n#include <cmath>\n#include <stdint.h>\n#include "
+                    "<glm/glm.hpp>\n#include \"geometry/epipolar.hpp\"\n#include \"lib/medium.glsl\"\n"),
+              IsEmpty());
+  EXPECT_THAT(check("editor/main.cpp", "#include <GLFW/glfw3.h>\n#include <imgui.h>\n#include \"app/session.hpp\"\n"),
+              IsEmpty());
 }
 
 TEST(Includes, CommentsDoNotCount) {
-  const auto includes = includesOf("// #include \"a.hpp\"\n/* \n#include \"b.hpp\"\n*/\n  #  include <c> // why\nconst char* t = \"/*\";\n#include \"d.hpp\"\n");
+  const auto includes = includesOf(
+      "// #include \"a.hpp\"\n/* \n#include \"b.hpp\"\n*/\n  #  include <c> // why\nconst char* t = \"/*\";\n#include "
+      "\"d.hpp\"\n");
   ASSERT_EQ(includes.size(), 2u);
   EXPECT_EQ(includes[0].target, "c");
   EXPECT_EQ(includes[0].line, 5);

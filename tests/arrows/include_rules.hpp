@@ -9,7 +9,7 @@
 namespace tyndall::arrows {
 
 struct Include {
-  std::string target;   ///< what stands between the quotes or brackets
+  std::string target;  ///< what stands between the quotes or brackets
   bool quoted = false;
   int line = 0;
 };

@@ -44,7 +44,8 @@ std::string folder(const std::string& path, std::size_t depth) {
 }  // namespace
 
 const std::vector<std::string>& engineRooms() {
-  static const std::vector<std::string> rooms = {"base", "image", "params", "gpu", "scene", "render", "host", "truth", "app", "bench"};
+  static const std::vector<std::string> rooms = {"base",   "image", "params", "gpu", "scene",
+                                                 "render", "host",  "truth",  "app", "bench"};
   return rooms;
 }
 
@@ -71,7 +72,8 @@ std::set<std::string> visibleFrom(const std::string& room) {
     const std::string next = open.back();
     open.pop_back();
     if (!seen.insert(next).second) continue;
-    if (const auto found = arrows().find(next); found != arrows().end()) open.insert(open.end(), found->second.begin(), found->second.end());
+    if (const auto found = arrows().find(next); found != arrows().end())
+      open.insert(open.end(), found->second.begin(), found->second.end());
   }
   return seen;
 }

@@ -8,8 +8,8 @@
 namespace tyndall::arrows {
 
 /// "gpu" for engine/gpu/..., "plugin:volumetrics" for plugins/volumetrics/..., "abi", "shared", "lib", "shaders" (the
-/// engine's own), "editor", "levels" (samples/levels), "sample" (sample plugins), "tests" (also for any *_test.cpp); "" for anything else.
-/// `path` is relative to the project's root, with '/'.
+/// engine's own), "editor", "levels" (samples/levels), "sample" (sample plugins), "tests" (also for any *_test.cpp); ""
+/// for anything else. `path` is relative to the project's root, with '/'.
 std::string roomOf(const std::string& path);
 
 /// The rooms that `room` may include, itself among them (arrows are followed all the way down).

@@ -14,7 +14,8 @@ namespace {
 
 image::FloatImage flat(std::uint32_t width, std::uint32_t height, float radiance, float transmittance) {
   image::FloatImage picture{width, height, 4, {}};
-  for (std::uint32_t i = 0; i < width * height; ++i) picture.values.insert(picture.values.end(), {radiance, radiance, radiance, transmittance});
+  for (std::uint32_t i = 0; i < width * height; ++i)
+    picture.values.insert(picture.values.end(), {radiance, radiance, radiance, transmittance});
   return picture;
 }
 
@@ -44,17 +45,18 @@ TEST(ErrorSplit, EachPartHasItsOwnErrors) {
   // Columns 0 to 4 lie nearer: columns 4 and 5 are on the step.
   for (std::uint32_t y = 0; y < kHeight; ++y)
     for (std::uint32_t x = 0; x < 5; ++x) distance[y * kWidth + x] = 9.0f;
-  set(picture, 4, 7, 3);          // silhouette by distance: +0.5 of the mean
-  picture.at(30, 3, 3) = 0.52f;   // silhouette by transmittance
-  set(picture, 30, 3, 2.2f);      // +0.1
-  set(picture, 20, 20, 1);        // interior: -0.5
-  set(picture, 50, 30, 6);        // by the light: +2
+  set(picture, 4, 7, 3);         // silhouette by distance: +0.5 of the mean
+  picture.at(30, 3, 3) = 0.52f;  // silhouette by transmittance
+  set(picture, 30, 3, 2.2f);     // +0.1
+  set(picture, 20, 20, 1);       // interior: -0.5
+  set(picture, 50, 30, 6);       // by the light: +2
   auto split = splitErrors(picture, reference, distance, {{50.5f, 30.5f}});
   ASSERT_TRUE(split) << split.error().message;
   EXPECT_EQ(split->all->pixels, kWidth * kHeight);
   EXPECT_EQ(split->all->pixels, split->silhouettes->pixels + split->interior->pixels + split->light->pixels);
   EXPECT_EQ(split->silhouettes->pixels, 2 * kHeight + 1);
-  EXPECT_NEAR(split->silhouettes->nrmse, std::sqrt((0.25 + 0.01) / static_cast<double>(split->silhouettes->pixels)), 1e-6);
+  EXPECT_NEAR(split->silhouettes->nrmse, std::sqrt((0.25 + 0.01) / static_cast<double>(split->silhouettes->pixels)),
+              1e-6);
   EXPECT_NEAR(split->silhouettes->maximum, 0.5, 1e-6);
   EXPECT_NEAR(split->interior->nrmse, 0.5 / std::sqrt(static_cast<double>(split->interior->pixels)), 1e-6);
   EXPECT_LT(split->interior->bias, 0);
@@ -129,7 +131,8 @@ scene::LightView sunFrom(double azimuth, double elevation) {
   const double a = glm::radians(azimuth), e = glm::radians(elevation);
   scene::LightView sun;
   sun.light.kind = scene::LightKind::kDirectional;
-  sun.direction = glm::vec3(std::sin(a) * std::cos(e), -std::sin(e), std::cos(a) * std::cos(e));  // azimuth grows to the left from -z
+  sun.direction = glm::vec3(std::sin(a) * std::cos(e), -std::sin(e),
+                            std::cos(a) * std::cos(e));  // azimuth grows to the left from -z
   return sun;
 }
 
@@ -170,12 +173,14 @@ TEST(Turn, TowardsALightBringsItHalfWayIntoThePicture) {
   camera.camera.yfov = glm::radians(60.0f);
   const Size size{160, 90};
   // To the left and the right, before and behind the camera, high, low, and all but in the zenith.
-  for (const auto& [azimuth, elevation] : {std::pair{100.0, 20.0}, {-100.0, 20.0}, {180.0, 10.0}, {-50.0, 70.0}, {30.0, -60.0}, {10.0, 89.0}}) {
+  for (const auto& [azimuth, elevation] :
+       {std::pair{100.0, 20.0}, {-100.0, 20.0}, {180.0, 10.0}, {-50.0, 70.0}, {30.0, -60.0}, {10.0, 89.0}}) {
     const auto turn = turnTowardsLight({sunFrom(azimuth, elevation)}, camera, size);
     ASSERT_TRUE(turn) << azimuth << ' ' << elevation;
     const auto places = lightsInPicture({sunFrom(azimuth, elevation)}, turned(camera, *turn), size);
     ASSERT_EQ(places.size(), 1u);
-    EXPECT_TRUE(insidePicture(places, size)) << azimuth << ' ' << elevation << ": " << places[0].x << ' ' << places[0].y;
+    EXPECT_TRUE(insidePicture(places, size))
+        << azimuth << ' ' << elevation << ": " << places[0].x << ' ' << places[0].y;
     // No more of a turn than is needed, and the light comes in on the side on which it is.
     EXPECT_LE(std::abs(turn->yaw), std::abs(azimuth));
     EXPECT_LE(std::abs(turn->pitch), std::abs(elevation));

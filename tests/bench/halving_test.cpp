@@ -44,7 +44,9 @@ TEST(Halving, FindsWhatASearchOfEverythingFinds) {
     for (std::size_t i = 0; i < alive.size(); ++i) alive[i] = i;
     for (const auto& [noise, slack, keep] : {std::tuple{0.12, 1.3, std::size_t{16}}, {0.05, 1.15, std::size_t{5}}}) {
       std::vector<Score> seen;
-      for (const std::size_t i : alive) seen.push_back({truth[i].milliseconds * std::exp(noise * normal(random)), truth[i].error * std::exp(noise * normal(random))});
+      for (const std::size_t i : alive)
+        seen.push_back({truth[i].milliseconds * std::exp(noise * normal(random)),
+                        truth[i].error * std::exp(noise * normal(random))});
       std::vector<std::size_t> next;
       for (const std::size_t i : survivors(seen, goal, slack, keep)) next.push_back(alive[i]);
       alive = next;

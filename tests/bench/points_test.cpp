@@ -31,7 +31,8 @@ struct Points : testing::Test {
 TEST_F(Points, EveryTechniqueOfTheRegistryIsThere) {
   std::set<std::string> techniques;
   for (const PlannedPoint& p : plan({})) techniques.insert(p.figures.technique);
-  for (const host::TechniqueInfo& t : catalogue->effectPlugin().techniques()) EXPECT_TRUE(techniques.contains(t.id)) << t.id;
+  for (const host::TechniqueInfo& t : catalogue->effectPlugin().techniques())
+    EXPECT_TRUE(techniques.contains(t.id)) << t.id;
   EXPECT_EQ(techniques.size(), catalogue->effectPlugin().techniques().size());
 }
 
@@ -89,7 +90,8 @@ TEST_F(Points, OtherReferencesMakeOtherPoints) {
 TEST_F(Points, APointThatStandsTwiceSpoilsNoOther) {
   Sweep sweep;
   sweep.everyTechnique = false;
-  const Single single{"a", "b", {{"volumetrics.technique", "exact"}}, {"papers"}, PaperFigure{"P", "T", "R", 1.0, 0.1}, false};
+  const Single single{"a",  "b", {{"volumetrics.technique", "exact"}}, {"papers"}, PaperFigure{"P", "T", "R", 1.0, 0.1},
+                      false};
   Single again = single;
   again.paper->row = "another";
   sweep.singles = {single, again};
@@ -139,8 +141,9 @@ TEST_F(Points, WrongValuesAreNamed) {
 TEST_F(Points, PaperFiguresKnowTheirBruteForce) {
   Sweep sweep;
   sweep.everyTechnique = false;
-  sweep.singles = {{"a", "b", {{"volumetrics.technique", "exact"}}, {"papers"}, PaperFigure{"P", "T", "R", 1.0, 0.1}, false},
-                   {"march", "c", {{"volumetrics.technique", "ray_march"}}, {"papers"}, {}, true}};
+  sweep.singles = {
+      {"a", "b", {{"volumetrics.technique", "exact"}}, {"papers"}, PaperFigure{"P", "T", "R", 1.0, 0.1}, false},
+      {"march", "c", {{"volumetrics.technique", "ray_march"}}, {"papers"}, {}, true}};
   const auto points = plan(sweep);
   ASSERT_EQ(points.size(), 2u);
   EXPECT_EQ(points[0].figures.baselineKey, points[1].figures.key);

@@ -9,7 +9,8 @@ namespace {
 
 PointFigures point(const std::string& key, double ms, double error) {
   PointFigures p;
-  p.key = key, p.level = "hall", p.size = {64, 36}, p.series = "exact", p.technique = "exact", p.label = "K = \"3\", all", p.plots = {"error_time", "knob"};
+  p.key = key, p.level = "hall", p.size = {64, 36}, p.series = "exact", p.technique = "exact",
+  p.label = "K = \"3\", all", p.plots = {"error_time", "knob"};
   p.knob = {{"volumetrics.reference_rays", "3"}};
   p.settings = {{"volumetrics.reference_rays", "3"}, {"volumetrics.technique", "exact"}};
   p.gpu = {ms + 1, ms + 0.5, ms + 2, 3};
@@ -17,21 +18,25 @@ PointFigures point(const std::string& key, double ms, double error) {
   p.shadows = {0.25, 0.25, 0.25, 3};
   p.passes = {{"shadow 0", "engine", 0.25}, {"build [light 0]", "volumetrics", ms}};
   p.memoryBytes = 123456789012;
-  p.truth = SplitErrors{Errors{error, 2 * error, 3 * error, -error, 100}, {}, Errors{error, 0.1, 0.2, 0.3, 60}, Errors{0.5, 0.6, 0.7, 0.8, 40}};
+  p.truth = SplitErrors{Errors{error, 2 * error, 3 * error, -error, 100},
+                        {},
+                        Errors{error, 0.1, 0.2, 0.3, 60},
+                        Errors{0.5, 0.6, 0.7, 0.8, 40}};
   p.motionError = 0.125, p.flicker = 0.0625;
   return p;
 }
 
 Results sample() {
   Results r;
-  r.device = "a device", r.driver = "1.0", r.sweep = "quick", r.started = "2026-01-01T00:00:00Z", r.command = "tyndall bench --sweep quick";
+  r.device = "a device", r.driver = "1.0", r.sweep = "quick", r.started = "2026-01-01T00:00:00Z",
+  r.command = "tyndall bench --sweep quick";
   r.copyGigabytes = 12.5, r.repetitions = 3;
   r.settings = {{"shadows.resolution", "4096"}};
   r.levels = {{"hall", 0, 1000, 2, true, 512, 0.003}};
   r.points = {point("one", 4, 0.02), point("two", 8, 0.01)};
   PointFigures failed;
-  failed.key = "three", failed.level = "hall", failed.size = {64, 36}, failed.series = "fourier", failed.technique = "fourier", failed.label = "x",
-  failed.plots = {"error_time"}, failed.failure = "out of memory";
+  failed.key = "three", failed.level = "hall", failed.size = {64, 36}, failed.series = "fourier",
+  failed.technique = "fourier", failed.label = "x", failed.plots = {"error_time"}, failed.failure = "out of memory";
   r.points.push_back(failed);
   r.points[1].paper = PaperFigure{"Klehm 2014", "Table 1", "row", 1.5, {}};
   r.points[1].baselineKey = "one";
@@ -99,7 +104,7 @@ TEST(Results, TheCsvHasALineAPointAndQuotesTexts) {
 
 TEST(Results, ComparisonGivesRatios) {
   Results a = sample(), b = sample();
-  b.points[0] = point("one", 2, 0.04);     // half the time, twice the error
+  b.points[0] = point("one", 2, 0.04);  // half the time, twice the error
   b.points[1] = point("two", 4, 0.02);
   b.points.push_back(point("five", 1, 1));
   const std::string text = compareResults(a, b);

@@ -33,20 +33,23 @@ TEST(Sweep, WhatIsWrongIsNamed) {
   expectRefused(R"({"repetitions": 2.5})", {"repetitions", "2.5"});
   expectRefused(R"({"settings": {"medium.g": [1]}})", {"settings.medium.g", "[1]"});
   expectRefused(R"({"knobs": [{"id": "volumetrics.steps"}]})", {"knobs[0]", "'values'"});
-  expectRefused(R"({"knobs": [{"id": "volumetrics.steps", "values": [1], "plots": ["eror"]}]})", {"knobs[0].plots[0]", "error_time"});
+  expectRefused(R"({"knobs": [{"id": "volumetrics.steps", "values": [1], "plots": ["eror"]}]})",
+                {"knobs[0].plots[0]", "error_time"});
   expectRefused(R"({"points": [{"series": "a", "label": "b"}]})", {"points[0]", "'settings'"});
-  expectRefused(R"({"points": [{"series": "a", "label": "b", "settings": {"x": 1}, "paper": {"paper": "K"}}]})", {"points[0].paper", "'table'"});
+  expectRefused(R"({"points": [{"series": "a", "label": "b", "settings": {"x": 1}, "paper": {"paper": "K"}}]})",
+                {"points[0].paper", "'table'"});
   expectRefused(R"({"motion": {"turn_degrees": 1}})", {"motion", "'frames'"});
   expectRefused(R"({"every_technique": 1})", {"every_technique", "true or false"});
 }
 
 TEST(Sweep, IsReadAsItIsWritten) {
-  auto sweep = readSweep(R"({"levels": ["hall"], "cameras": [0, 2], "size": [64, 36], "error_size": [32, 18], "repetitions": 4, "truth_samples": 8,
+  auto sweep = readSweep(
+      R"({"levels": ["hall"], "cameras": [0, 2], "size": [64, 36], "error_size": [32, 18], "repetitions": 4, "truth_samples": 8,
     "settings": {"medium.g": 0.25, "volumetrics.prefix_bounds": false}, "march": {"volumetrics.steps": 9}, "every_technique": false,
     "knobs": [{"id": "a", "values": [1, "x", true], "together": ["b"], "with": {"c": 2}}], "resolutions": [[16, 9]],
     "points": [{"series": "s", "label": "l", "settings": {"d": 1}, "paper": {"paper": "P", "table": "T", "row": "R", "ms": 1.5}, "baseline": true}],
     "motion": {"frames": 3, "turn_degrees": -1.5, "seconds": 0.5}})",
-                         "folder/mine.json");
+      "folder/mine.json");
   ASSERT_TRUE(sweep) << sweep.error().message;
   EXPECT_EQ(sweep->name, "mine");
   EXPECT_EQ(sweep->cameras, (std::vector<std::uint32_t>{0, 2}));

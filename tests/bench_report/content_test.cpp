@@ -244,7 +244,8 @@ TEST(Content, ViewsAreNotMixed) {
 }
 
 TEST(Content, WhatIsNoBetterThanBlackIsOnNoFront) {
-  const auto page = pageOf(resultsWith({test::point("dark", "dark", "a", 1, 1.5), test::point("good", "good", "b", 10, 0.1)}));
+  const auto page =
+      pageOf(resultsWith({test::point("dark", "dark", "a", 1, 1.5), test::point("good", "good", "b", 10, 0.1)}));
   const std::string text = page->text;
   EXPECT_NE(text.find("dark"), std::string::npos) << "it is plotted";
   const std::size_t front = text.find("Pareto front: ");

@@ -22,7 +22,8 @@ TEST_F(BadCall, Options) {
 }
 
 TEST_F(BadCall, Sizes) {
-  for (const char* size : {"0", "0x0", "64x0", "0x36", "-1x5", "64", "64x", "x36", "64x36x2", "1e2x36", " 64x36", "64.0x36", ""})
+  for (const char* size :
+       {"0", "0x0", "64x0", "0x36", "-1x5", "64", "64x", "x36", "64x36x2", "1e2x36", " 64x36", "64.0x36", ""})
     expectRefused({"render", "hall", "--size", size, "--out", "a.png"}, 2, {"--size"});
   for (const char* size : {"100000x100000", "100000x36", "64x100000", "99999999999999999999x4"})
     expectRefused({"render", "hall", "--size", size, "--out", "a.png"}, 2, {"--size", "at most"});
@@ -30,15 +31,21 @@ TEST_F(BadCall, Sizes) {
 }
 
 TEST_F(BadCall, Numbers) {
-  for (const char* frames : {"0", "-1", "1.5", "many", "99999999999"}) expectRefused({"render", "hall", "--frames", frames}, 2, {"--frames"});
-  for (const char* camera : {"-1", "one", "0x1"}) expectRefused({"render", "hall", "--camera", camera}, 2, {"--camera"});
-  for (const char* seconds : {"-1", "nan", "inf", "soon"}) expectRefused({"render", "hall", "--time", seconds}, 2, {"--time"});
+  for (const char* frames : {"0", "-1", "1.5", "many", "99999999999"})
+    expectRefused({"render", "hall", "--frames", frames}, 2, {"--frames"});
+  for (const char* camera : {"-1", "one", "0x1"})
+    expectRefused({"render", "hall", "--camera", camera}, 2, {"--camera"});
+  for (const char* seconds : {"-1", "nan", "inf", "soon"})
+    expectRefused({"render", "hall", "--time", seconds}, 2, {"--time"});
   for (const char* pose : {"1,2,3", "1,2,3,4,91", "a,b,c,d,e"})
-    for (const char* command : {"render", "truth"}) expectRefused({command, "hall", "--pose", pose}, 2, {"--pose", "X,Y,Z,YAW,PITCH"});
+    for (const char* command : {"render", "truth"})
+      expectRefused({command, "hall", "--pose", pose}, 2, {"--pose", "X,Y,Z,YAW,PITCH"});
   expectRefused({"truth", "hall", "--samples", "0", "--out", "a.exr"}, 2, {"--samples"});
 }
 
-TEST_F(BadCall, CameraOutOfRangeSaysHowManyThereAre) { expectRefused({"render", "hall", "--camera", "999", "--out", "a.png"}, 2, {"--camera 999", "hall"}); }
+TEST_F(BadCall, CameraOutOfRangeSaysHowManyThereAre) {
+  expectRefused({"render", "hall", "--camera", "999", "--out", "a.png"}, 2, {"--camera 999", "hall"});
+}
 
 TEST_F(BadCall, Levels) {
   expectRefused({"render", "hal", "--out", "a.png"}, 2, {"hal", "'hall'", "forest", ".glb"});
@@ -46,7 +53,8 @@ TEST_F(BadCall, Levels) {
 }
 
 TEST_F(BadCall, Parameters) {
-  expectRefused({"render", "hall", "--set", "volumetrics.technik=moments6", "--out", "a.png"}, 2, {"volumetrics.technik", "volumetrics.technique"});
+  expectRefused({"render", "hall", "--set", "volumetrics.technik=moments6", "--out", "a.png"}, 2,
+                {"volumetrics.technik", "volumetrics.technique"});
   expectRefused({"render", "hall", "--set", "volumetrics.technique=moments7"}, 2, {"volumetrics.technique", "moments"});
   expectRefused({"render", "hall", "--set", "volumetrics.columns=63"}, 2, {"volumetrics.columns", "64", "4096"});
   expectRefused({"render", "hall", "--set", "volumetrics.columns=4097"}, 2, {"volumetrics.columns", "4096"});
@@ -65,15 +73,21 @@ TEST_F(BadCall, NotBuiltYetIsSaidByName) {
   expectRefused({"tune", "hall", "--max-error", "0.1", "--camera", "99"}, 2, {"99"});
   expectRefused({"tune", "--max-error", "0.1"}, 2, {"LEVEL"});
   expectRefused({"tune", "hall", "--max-error", "0.1", "--hold-out", "99"}, 2, {"99"});
-  expectRefused({"tune", "hall", "--max-error", "0.1", "--camera", "1", "--hold-out", "1"}, 2, {"--hold-out", "1", "--camera"});
+  expectRefused({"tune", "hall", "--max-error", "0.1", "--camera", "1", "--hold-out", "1"}, 2,
+                {"--hold-out", "1", "--camera"});
   expectRefused({"tune", "hall", "--max-error", "0.1", "--margin", "2"}, 2, {"--margin", "0 to 0.9"});
   expectRefused({"tune", "hall", "--max-error", "0.1", "--candidates", "none.json"}, 1, {"none.json"});
   expectRefused({"tune", "hall", "--max-error", "0.1", "--out", "p.txt"}, 2, {"--out", ".json"});
   expectRefused({"render", "hall", "--preset", "fsat"}, 2, {"--preset", "fsat", "'fast'"});
 }
 
-TEST_F(BadCall, NumbersOfNoView) { expectRefused({"render", "hall", "--size", "64x36", "--view-exr", "a.exr"}, 2, {"--view-exr", "--debug-view"}); }
-TEST_F(BadCall, DebugView) { expectRefused({"render", "hall", "--size", "64x36", "--debug-view", "norml", "--out", "a.png"}, 2, {"--debug-view", "norml", "'normal'"}); }
+TEST_F(BadCall, NumbersOfNoView) {
+  expectRefused({"render", "hall", "--size", "64x36", "--view-exr", "a.exr"}, 2, {"--view-exr", "--debug-view"});
+}
+TEST_F(BadCall, DebugView) {
+  expectRefused({"render", "hall", "--size", "64x36", "--debug-view", "norml", "--out", "a.png"}, 2,
+                {"--debug-view", "norml", "'normal'"});
+}
 
 TEST_F(BadCall, OutputNames) {
   expectRefused({"render", "hall", "--out", "a.jpg"}, 2, {"--out", "a.jpg", ".png"});

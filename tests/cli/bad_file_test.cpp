@@ -19,7 +19,8 @@ TEST_F(BadFile, Levels) {
   expectRefused({"render", "empty.glb", "--out", "a.png"}, 1, {"empty.glb"});
   writeText(folder_ / "text.gltf", "this is no JSON");
   expectRefused({"render", "text.gltf", "--out", "a.png"}, 1, {"text.gltf"});
-  writeText(folder_ / "outside.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"../../etc/passwd"}]})");
+  writeText(folder_ / "outside.gltf",
+            R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"../../etc/passwd"}]})");
   expectRefused({"render", "outside.gltf", "--out", "a.png"}, 1, {"outside.gltf"});
   fs::create_directory(folder_ / "folder.glb");
   expectRefused({"render", "folder.glb", "--out", "a.png"}, 1, {"folder.glb"});
@@ -29,13 +30,16 @@ TEST_F(BadFile, Levels) {
 TEST_F(BadFile, TruncatedLevel) {
   const std::string whole = readText(kLevel);
   ASSERT_GT(whole.size(), 1000u);
-  for (const std::size_t size : {std::size_t{11}, std::size_t{20}, std::size_t{500}, whole.size() / 2, whole.size() - 1}) {
+  for (const std::size_t size :
+       {std::size_t{11}, std::size_t{20}, std::size_t{500}, whole.size() / 2, whole.size() - 1}) {
     writeText(folder_ / "cut.glb", whole.substr(0, size));
     expectRefused({"render", "cut.glb", "--out", "a.png"}, 1, {"cut.glb"});
   }
 }
 
-TEST_F(BadFile, LineFeedInANameStaysOneLine) { expectRefused({"render", "two\nlines.glb", "--out", "a.png"}, 1, {"two?lines.glb"}); }
+TEST_F(BadFile, LineFeedInANameStaysOneLine) {
+  expectRefused({"render", "two\nlines.glb", "--out", "a.png"}, 1, {"two?lines.glb"});
+}
 
 TEST_F(BadFile, Presets) {
   expectRefused({"render", "hall", "--preset", "missing.json"}, 1, {"--preset", "missing.json"});
@@ -54,7 +58,9 @@ TEST_F(BadFile, OutputFolders) {
 TEST_F(BadFile, ALaterOutputThatFailsLeavesNoEarlierOne) {
   writeText(folder_ / "kept.png", "what was there before");
   // /proc takes no new files, whoever asks.
-  expectRefused({"render", "hall", "--size", "32x18", "--out", "kept.png", "--scatter", "new.exr", "--stats", "/proc/tyndall.json"}, 1, {"/proc/tyndall.json"});
+  expectRefused({"render", "hall", "--size", "32x18", "--out", "kept.png", "--scatter", "new.exr", "--stats",
+                 "/proc/tyndall.json"},
+                1, {"/proc/tyndall.json"});
   EXPECT_EQ(readText(folder_ / "kept.png"), "what was there before");
 }
 
@@ -68,7 +74,9 @@ TEST_F(BadFile, Plugins) {
   expectRefused({"render", "hall", "--plugin-dir", "text"}, 1, {"volumetrics.so"});
 }
 
-TEST_F(BadFile, PluginOfAnotherAbi) { expectRefused({"describe", "--plugin-dir", TYNDALL_OTHER_ABI_DIR}, 1, {"volumetrics.so", "2.0", "1.2"}); }
+TEST_F(BadFile, PluginOfAnotherAbi) {
+  expectRefused({"describe", "--plugin-dir", TYNDALL_OTHER_ABI_DIR}, 1, {"volumetrics.so", "2.0", "1.2"});
+}
 
 const Environment kNoDevice = {{"VK_ICD_FILENAMES", "/nonexistent.json"}, {"VK_DRIVER_FILES", "/nonexistent.json"}};
 
@@ -76,7 +84,8 @@ TEST_F(BadFile, NoDevice) {
   expectRefused({"render", "hall", "--out", "a.png"}, 1, {"Vulkan"}, kNoDevice);
   // A wrong call is told before the lack of a device.
   expectRefused({"render", "hall", "--set", "medium.g=9"}, 2, {"medium.g"}, kNoDevice);
-  expectRefused({"render", "hall", "--device", "no such device", "--out", "a.png"}, tyndall({"render", "hall", "--device", "no such device"}).status, {"no such device"});
+  expectRefused({"render", "hall", "--device", "no such device", "--out", "a.png"},
+                tyndall({"render", "hall", "--device", "no such device"}).status, {"no such device"});
 }
 
 TEST_F(BadFile, FullDiskOnStdout) {

@@ -1,6 +1,6 @@
 // tyndall bench from end to end, on a small sweep.
-#include <csignal>
 #include <chrono>
+#include <csignal>
 #include <thread>
 
 #include <sys/wait.h>
@@ -13,7 +13,8 @@
 namespace tyndall::cli {
 namespace {
 
-const char* kSweep = R"({"size": [64, 36], "error_size": [64, 36], "repetitions": 2, "truth_samples": 32, "every_technique": false,
+const char* kSweep =
+    R"({"size": [64, 36], "error_size": [64, 36], "repetitions": 2, "truth_samples": 32, "every_technique": false,
   "settings": {"shadows.resolution": 256, "volumetrics.columns": 64, "volumetrics.slices": 64, "volumetrics.prefix_scheme": "row"},
   "march": {"volumetrics.technique": "ray_march", "volumetrics.steps": 128},
   "knobs": [{"id": "volumetrics.steps", "values": [8, 64]}, {"id": "volumetrics.levels", "values": [2, 0]}]})";
@@ -99,11 +100,13 @@ TEST_F(Bench, AnInterruptionLeavesNothingHalfWritten) {
     if (::chdir(folder_.c_str()) != 0) ::_exit(99);
     ::setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);
     if (!std::freopen("err.txt", "w", stderr) || !std::freopen("out.txt", "w", stdout)) ::_exit(98);
-    ::execl(TYNDALL_BIN_DIR "/tyndall", "tyndall", "bench", "vault", "--sweep", "small.json", "--repetitions", "1000", "--out", "r", nullptr);
+    ::execl(TYNDALL_BIN_DIR "/tyndall", "tyndall", "bench", "vault", "--sweep", "small.json", "--repetitions", "1000",
+            "--out", "r", nullptr);
     ::_exit(97);
   }
   // It is at work when its folder is there.
-  for (int i = 0; i < 300 && !std::filesystem::exists(folder_ / "r"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  for (int i = 0; i < 300 && !std::filesystem::exists(folder_ / "r"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
   std::this_thread::sleep_for(std::chrono::seconds(1));
   ::kill(child, SIGINT);
   int status = 0;

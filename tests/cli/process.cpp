@@ -72,12 +72,14 @@ void CliTest::TearDown() {
 
 std::vector<std::string> CliTest::files() const {
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_)) names.push_back(entry.path().lexically_relative(folder_).string());
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_))
+    names.push_back(entry.path().lexically_relative(folder_).string());
   std::sort(names.begin(), names.end());
   return names;
 }
 
-void CliTest::expectRefused(const std::vector<std::string>& arguments, int status, const std::vector<std::string>& words, const Environment& environment) const {
+void CliTest::expectRefused(const std::vector<std::string>& arguments, int status,
+                            const std::vector<std::string>& words, const Environment& environment) const {
   std::string call = "tyndall";
   for (const std::string& argument : arguments) call += " '" + argument + "'";
   SCOPED_TRACE(call);
@@ -87,7 +89,8 @@ void CliTest::expectRefused(const std::vector<std::string>& arguments, int statu
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.errorLines().size(), 1u) << outcome.err;
   EXPECT_EQ(outcome.err.rfind("tyndall: ", 0), 0u) << outcome.err;
-  for (const std::string& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << "'" << word << "' is not in: " << outcome.err;
+  for (const std::string& word : words)
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << "'" << word << "' is not in: " << outcome.err;
   EXPECT_EQ(files(), before);
 }
 

@@ -11,7 +11,7 @@
 namespace tyndall::cli {
 
 struct Outcome {
-  int status = -1;           ///< exit status; 1000 + signal when a signal ended it
+  int status = -1;  ///< exit status; 1000 + signal when a signal ended it
   std::string out, err;
   std::vector<std::string> errorLines() const;
 };
@@ -19,7 +19,8 @@ struct Outcome {
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
 /// Runs bin/tyndall with `arguments` in `folder`.
-Outcome run(const std::filesystem::path& folder, const std::vector<std::string>& arguments, const Environment& environment = {});
+Outcome run(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+            const Environment& environment = {});
 
 std::string readText(const std::filesystem::path& path);
 void writeText(const std::filesystem::path& path, const std::string& text);
@@ -29,11 +30,14 @@ class CliTest : public ::testing::Test {
  protected:
   void SetUp() override;
   void TearDown() override;
-  Outcome tyndall(const std::vector<std::string>& arguments, const Environment& environment = {}) const { return run(folder_, arguments, environment); }
+  Outcome tyndall(const std::vector<std::string>& arguments, const Environment& environment = {}) const {
+    return run(folder_, arguments, environment);
+  }
   /// Names of everything in the folder, sorted, hidden files too.
   std::vector<std::string> files() const;
   /// Runs and expects `status`, an empty stdout, one line on stderr that contains each of `words`, and no new file.
-  void expectRefused(const std::vector<std::string>& arguments, int status, const std::vector<std::string>& words, const Environment& environment = {}) const;
+  void expectRefused(const std::vector<std::string>& arguments, int status, const std::vector<std::string>& words,
+                     const Environment& environment = {}) const;
 
   std::filesystem::path folder_;
 };

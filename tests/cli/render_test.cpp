@@ -32,8 +32,9 @@ class EachTechnique : public Render, public ::testing::WithParamInterface<const 
 
 TEST_P(EachTechnique, GivesEveryFileAndTimesThatAddUp) {
   const std::string technique = GetParam();
-  const Outcome outcome = tyndall(with(kSmall, {"--frames", "3", "--set", "volumetrics.technique=" + technique, "--out", "a.png", "--scatter", "s.exr",
-                                                "--depth", "d.exr", "--stats", "s.json"}));
+  const Outcome outcome =
+      tyndall(with(kSmall, {"--frames", "3", "--set", "volumetrics.technique=" + technique, "--out", "a.png",
+                            "--scatter", "s.exr", "--depth", "d.exr", "--stats", "s.json"}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(files(), (std::vector<std::string>{"a.png", "d.exr", "s.exr", "s.json"}));
 
@@ -49,9 +50,11 @@ TEST_P(EachTechnique, GivesEveryFileAndTimesThatAddUp) {
   ASSERT_EQ(depth->values.size(), 96u * 54);
 
   const json stats = json::parse(readText(folder_ / "s.json"));
-  for (const char* key : {"device", "driver", "level", "camera", "size", "frames", "passes", "volumetrics", "gpu_ms", "settings", "unused_settings", "resolved", "notes", "memory"})
+  for (const char* key : {"device", "driver", "level", "camera", "size", "frames", "passes", "volumetrics", "gpu_ms",
+                          "settings", "unused_settings", "resolved", "notes", "memory"})
     EXPECT_TRUE(stats.contains(key)) << key;
-  // Memory by resource: what is kept is all that there is; what passes shares a part of it, and says from which pass to which.
+  // Memory by resource: what is kept is all that there is; what passes shares a part of it, and says from which pass to
+  // which.
   const json& memory = stats.at("memory");
   std::uint64_t kept = 0;
   for (const json& resource : memory.at("kept")) kept += resource.at("bytes").get<std::uint64_t>();
@@ -98,7 +101,8 @@ TEST_P(EachTechnique, GivesEveryFileAndTimesThatAddUp) {
     EXPECT_LE(light.at("memory_bytes").get<std::uint64_t>(), volumetrics.at("memory_bytes").get<std::uint64_t>());
     // Alpha is the transmittance over the distance of the depth file, with the default medium.
     const double sigma_t = stats.at("settings").at("medium.sigma_t");
-    for (std::size_t i = 0; i < depth->values.size(); i += 97) EXPECT_NEAR(scatter->values[4 * i + 3], std::exp(-sigma_t * depth->values[i]), 2e-3) << i;
+    for (std::size_t i = 0; i < depth->values.size(); i += 97)
+      EXPECT_NEAR(scatter->values[4 * i + 3], std::exp(-sigma_t * depth->values[i]), 2e-3) << i;
   }
 }
 
@@ -107,7 +111,8 @@ INSTANTIATE_TEST_SUITE_P(Cli, EachTechnique, ::testing::Values("none", "ray_marc
 TEST_F(Render, StdoutIsATableOfThePassesAndTheFiles) {
   const Outcome outcome = tyndall(with(kSmall, {"--out", "a.png"}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* word : {"96x54", "total", "a.png", "volumetrics"}) EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
+  for (const char* word : {"96x54", "total", "a.png", "volumetrics"})
+    EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
 }
 
 TEST_F(Render, TheWholeFrameIsTimedWhateverIsWritten) {
@@ -124,8 +129,10 @@ TEST_F(Render, TheWholeFrameIsTimedWhateverIsWritten) {
 }
 
 TEST_F(Render, SettingsInAnyOrderAndTheLaterWins) {
-  const std::vector<std::string> one = {"--set", "volumetrics.technique=ray_march", "--set", "volumetrics.steps=16", "--set", "medium.g=0.25"};
-  const std::vector<std::string> other = {"--set", "medium.g=0.9", "--set", "medium.g=0.25", "--set", "volumetrics.steps=16", "--set", "volumetrics.technique=ray_march"};
+  const std::vector<std::string> one = {
+      "--set", "volumetrics.technique=ray_march", "--set", "volumetrics.steps=16", "--set", "medium.g=0.25"};
+  const std::vector<std::string> other = {"--set", "medium.g=0.9",         "--set", "medium.g=0.25",
+                                          "--set", "volumetrics.steps=16", "--set", "volumetrics.technique=ray_march"};
   const json a = statsOf(folder_, with(kSmall, one)), b = statsOf(folder_, with(kSmall, other));
   EXPECT_EQ(a.at("settings"), b.at("settings"));
   EXPECT_EQ(a.at("settings").at("medium.g"), 0.25);
@@ -141,8 +148,10 @@ TEST_F(Render, PresetThenSet) {
 }
 
 TEST_F(Render, SettingsThatTheTechniqueDoesNotReadAreKeptAndReported) {
-  const json stats = statsOf(folder_, with(kSmall, {"--set", "volumetrics.basis_count=64", "--set", "volumetrics.columns=128", "--set", "volumetrics.reuse=false",
-                                                    "--set", "medium.g=0.3", "--set", "view.exposure=2", "--set", "volumetrics.technique=ray_march"}));
+  const json stats =
+      statsOf(folder_, with(kSmall, {"--set", "volumetrics.basis_count=64", "--set", "volumetrics.columns=128", "--set",
+                                     "volumetrics.reuse=false", "--set", "medium.g=0.3", "--set", "view.exposure=2",
+                                     "--set", "volumetrics.technique=ray_march"}));
   EXPECT_EQ(stats.at("settings").at("volumetrics.basis_count"), 64);
   const std::vector<std::string> unused = stats.at("unused_settings");
   const auto has = [&](const char* id) { return std::find(unused.begin(), unused.end(), id) != unused.end(); };
@@ -157,7 +166,8 @@ TEST_F(Render, StatsSettingsAreEveryParameter) {
   const json described = json::parse(tyndall({"describe", "--json"}).out);
   const json stats = statsOf(folder_, kSmall);
   EXPECT_EQ(stats.at("settings").size(), described.at("parameters").size());
-  for (const json& parameter : described.at("parameters")) EXPECT_EQ(stats.at("settings").at(parameter.at("id").get<std::string>()), parameter.at("default"));
+  for (const json& parameter : described.at("parameters"))
+    EXPECT_EQ(stats.at("settings").at(parameter.at("id").get<std::string>()), parameter.at("default"));
 }
 
 TEST_F(Render, OddAndTinySizes) {
@@ -192,14 +202,16 @@ TEST_F(Render, DebugViewsOfEngineAndPlugin) {
 }
 
 TEST_F(Render, TheNumbersOfAViewAreThoseOfItsImage) {
-  const Outcome outcome = tyndall(with(kSmall, {"--debug-view", "scatter", "--view-exr", "v.exr", "--scatter", "s.exr"}));
+  const Outcome outcome =
+      tyndall(with(kSmall, {"--debug-view", "scatter", "--view-exr", "v.exr", "--scatter", "s.exr"}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   auto view = image::readExr(folder_ / "v.exr"), scatter = image::readExr(folder_ / "s.exr");
   ASSERT_TRUE(view && scatter);
   EXPECT_EQ(view->values, scatter->values);
   // Two channels: a third of zeros, as an EXR of two has no names for them. Of a map's own size.
-  const Outcome map = tyndall(with(kSmall, {"--set", "volumetrics.technique=exact", "--set", "volumetrics.columns=64", "--set",
-                                            "volumetrics.slices=128", "--debug-view", "prefix_min", "--view-exr", "m.exr"}));
+  const Outcome map =
+      tyndall(with(kSmall, {"--set", "volumetrics.technique=exact", "--set", "volumetrics.columns=64", "--set",
+                            "volumetrics.slices=128", "--debug-view", "prefix_min", "--view-exr", "m.exr"}));
   ASSERT_EQ(map.status, 0) << map.err;
   auto bounds = image::readExr(folder_ / "m.exr");
   ASSERT_TRUE(bounds);
@@ -207,17 +219,19 @@ TEST_F(Render, TheNumbersOfAViewAreThoseOfItsImage) {
   EXPECT_EQ(bounds->height, 64u);
   EXPECT_EQ(bounds->channels, 3u);
   for (std::uint32_t x = 0; x < bounds->width; ++x)
-    for (std::uint32_t y = 1; y < bounds->height; ++y) ASSERT_LE(bounds->at(x, y, 0), bounds->at(x, y - 1, 0));  // a prefix minimum falls
+    for (std::uint32_t y = 1; y < bounds->height; ++y)
+      ASSERT_LE(bounds->at(x, y, 0), bounds->at(x, y - 1, 0));  // a prefix minimum falls
 }
 
 TEST_F(Render, ALevelWithoutCameraAndLightSaysSo) {
   // One triangle; the buffer is three positions.
-  writeText(folder_ / "bare.gltf",
-            R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
-            R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
-            R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],)"
-            R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
-            R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+  writeText(
+      folder_ / "bare.gltf",
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
+      R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
   const Outcome outcome = tyndall({"render", "bare.gltf", "--size", "64x36", "--out", "a.png"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("camera"), std::string::npos) << outcome.err;
@@ -226,7 +240,8 @@ TEST_F(Render, ALevelWithoutCameraAndLightSaysSo) {
 
 TEST_F(Render, ValidationIsSilent) {
   for (const char* technique : {"ray_march", "moments6"}) {
-    const Outcome outcome = tyndall(with(kSmall, {"--validate", "--set", std::string("volumetrics.technique=") + technique}));
+    const Outcome outcome =
+        tyndall(with(kSmall, {"--validate", "--set", std::string("volumetrics.technique=") + technique}));
     EXPECT_EQ(outcome.status, 0) << technique << ": " << outcome.err;
   }
 }
@@ -234,9 +249,10 @@ TEST_F(Render, ValidationIsSilent) {
 TEST_F(Render, ValidationIsSilentWithMomentShadowMaps) {
   for (const char* level : {"hall", "forest"})
     for (const char* precision : {"64", "128"}) {
-      const Outcome outcome = tyndall({"render", level, "--size", "64x36", "--validate", "--out", "m.png", "--set", "shadows.resolution=256",
-                                       "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64", "--set", "shadows.mode=moments",
-                                       "--set", "volumetrics.filtered_resampling=true", "--set", std::string("shadows.precision=") + precision});
+      const Outcome outcome = tyndall(
+          {"render", level, "--size", "64x36", "--validate", "--out", "m.png", "--set", "shadows.resolution=256",
+           "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64", "--set", "shadows.mode=moments",
+           "--set", "volumetrics.filtered_resampling=true", "--set", std::string("shadows.precision=") + precision});
       EXPECT_EQ(outcome.status, 0) << level << ' ' << precision << ": " << outcome.err;
     }
 }
@@ -247,7 +263,8 @@ TEST_F(Render, ThePrecisionOfMomentsIsUnusedUnlessSomethingReadsThem) {
     for (const std::string& setting : settings) call.insert(call.end(), {"--set", setting});
     const json stats = statsOf(folder_, call);
     bool made = false;
-    for (const json& pass : stats.at("passes")) made = made || pass.at("name").get<std::string>().starts_with("moments ");
+    for (const json& pass : stats.at("passes"))
+      made = made || pass.at("name").get<std::string>().starts_with("moments ");
     const std::vector<std::string> ids = stats.at("unused_settings");
     const bool listed = std::find(ids.begin(), ids.end(), "shadows.precision") != ids.end();
     EXPECT_NE(made, listed) << "maps are made if and only if something reads them";
@@ -256,7 +273,8 @@ TEST_F(Render, ThePrecisionOfMomentsIsUnusedUnlessSomethingReadsThem) {
   EXPECT_TRUE(unused({}));
   EXPECT_FALSE(unused({"shadows.mode=moments"}));
   EXPECT_FALSE(unused({"volumetrics.technique=moments6", "volumetrics.filtered_resampling=true"}));
-  EXPECT_TRUE(unused({"volumetrics.technique=min_max", "volumetrics.filtered_resampling=true"})) << "its bounds must not be means";
+  EXPECT_TRUE(unused({"volumetrics.technique=min_max", "volumetrics.filtered_resampling=true"}))
+      << "its bounds must not be means";
   EXPECT_TRUE(unused({"volumetrics.technique=ray_march", "volumetrics.filtered_resampling=true"}));
   EXPECT_TRUE(unused({"volumetrics.enabled=false", "volumetrics.filtered_resampling=true"}));
 }

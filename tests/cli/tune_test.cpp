@@ -18,10 +18,14 @@ class Tune : public CliTest {
 
 // The whole way from a bound to a preset, on a small field of candidates.
 TEST_F(Tune, WritesAPresetWithItsEvidence) {
-  writeText(folder_ / "few.json", R"({"error_size": [64, 36], "truth_samples": 64, "settings": {"shadows.resolution": 512, "volumetrics.prefix_scheme": "row"},
+  writeText(
+      folder_ / "few.json",
+      R"({"error_size": [64, 36], "truth_samples": 64, "settings": {"shadows.resolution": 512, "volumetrics.prefix_scheme": "row"},
     "knobs": [{"id": "volumetrics.columns", "values": [64, 256], "together": ["volumetrics.slices"]}, {"id": "volumetrics.reference_rays", "values": [1, 6]},
               {"id": "volumetrics.steps", "values": [2, 64]}, {"id": "volumetrics.basis_count", "values": [8]}]})");
-  const std::vector<std::string> call{"tune", "terrain", "--max-error", "0.3", "--camera", "0", "--hold-out", "1", "--candidates", "few.json", "--size", "64x36", "--out", "p.json"};
+  const std::vector<std::string> call{"tune",   "terrain",    "--max-error", "0.3",          "--camera",
+                                      "0",      "--hold-out", "1",           "--candidates", "few.json",
+                                      "--size", "64x36",      "--out",       "p.json"};
   const Outcome tuned = tyndall(call, cache());
   ASSERT_EQ(tuned.status, 0) << tuned.err;
   const Json preset = Json::parse(readText(folder_ / "p.json")), evidence = preset["evidence"];
@@ -33,7 +37,8 @@ TEST_F(Tune, WritesAPresetWithItsEvidence) {
   EXPECT_NE(evidence["views"][0]["turned_degrees"], 0.0);
   EXPECT_EQ(evidence["views"][1]["light_on_screen"], false);
   EXPECT_EQ(evidence["views"][1]["turned_degrees"], 0.0);
-  EXPECT_EQ(evidence["nrmse"], std::max(evidence["views"][0]["nrmse"].get<double>(), evidence["views"][1]["nrmse"].get<double>()));
+  EXPECT_EQ(evidence["nrmse"],
+            std::max(evidence["views"][0]["nrmse"].get<double>(), evidence["views"][1]["nrmse"].get<double>()));
   ASSERT_EQ(evidence["hold_out"].size(), 1u);
   const Json& held = evidence["hold_out"][0];
   EXPECT_EQ(held["camera"], 1);
@@ -54,7 +59,8 @@ TEST_F(Tune, WritesAPresetWithItsEvidence) {
     }
 
   // Evidence changes nothing: the preset renders what its settings do.
-  std::vector<std::string> byPreset{"render", "terrain", "--size", "64x36", "--preset", "p.json", "--scatter", "a.exr"}, bySettings{"render", "terrain", "--size", "64x36", "--scatter", "b.exr"};
+  std::vector<std::string> byPreset{"render", "terrain", "--size", "64x36", "--preset", "p.json", "--scatter", "a.exr"},
+      bySettings{"render", "terrain", "--size", "64x36", "--scatter", "b.exr"};
   for (const auto& [id, value] : preset["settings"].items()) {
     bySettings.push_back("--set");
     bySettings.push_back(id + "=" + (value.is_string() ? value.get<std::string>() : value.dump()));

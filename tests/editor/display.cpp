@@ -40,15 +40,18 @@ bool haveProgram(const std::string& name) {
   return false;
 }
 
-void Process::start(const std::vector<std::string>& words, const std::string& display, const fs::path& errors, int keep) {
+void Process::start(const std::vector<std::string>& words, const std::string& display, const fs::path& errors,
+                    int keep) {
   std::vector<std::string> copies = words;
   std::vector<char*> pointers;
   for (std::string& word : copies) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   pid_ = fork();
   if (pid_ != 0) return;
-  if (display.empty()) unsetenv("DISPLAY");
-  else setenv("DISPLAY", display.c_str(), 1);
+  if (display.empty())
+    unsetenv("DISPLAY");
+  else
+    setenv("DISPLAY", display.c_str(), 1);
   unsetenv("WAYLAND_DISPLAY");
   const int err = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   dup2(open("/dev/null", O_RDWR | O_CLOEXEC), 1);
@@ -89,7 +92,9 @@ void EditorTest::SetUp() {
   // The server chooses a free display and tells its number through the pipe.
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
-  server_.start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1400x900x24", "-fbdir", folder_.string(), "-nolisten", "tcp"}, "", folder_ / "xvfb.err", ends[1]);
+  server_.start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1400x900x24", "-fbdir",
+                 folder_.string(), "-nolisten", "tcp"},
+                "", folder_ / "xvfb.err", ends[1]);
   close(ends[1]);
   std::string number;
   pollfd ready{ends[0], POLLIN, 0};
@@ -108,13 +113,16 @@ void EditorTest::TearDown() {
 void EditorTest::startEditor(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), std::string(TYNDALL_BIN_DIR) + "/tyndall-editor");
   // What is remembered between runs is the user's own: a test leaves it alone.
-  arguments.insert(arguments.end(), {"--print-state", (folder_ / "state.json").string(), "--settings", (folder_ / "settings.json").string()});
+  arguments.insert(arguments.end(), {"--print-state", (folder_ / "state.json").string(), "--settings",
+                                     (folder_ / "settings.json").string()});
   editor_.start(arguments, display_, folder_ / "editor.err");
 }
 
 std::string EditorTest::errors() const { return readText(folder_ / "editor.err"); }
 
-nlohmann::json EditorTest::state() const { return nlohmann::json::parse(readText(folder_ / "state.json"), nullptr, false); }
+nlohmann::json EditorTest::state() const {
+  return nlohmann::json::parse(readText(folder_ / "state.json"), nullptr, false);
+}
 
 nlohmann::json EditorTest::waitFor(const std::function<bool(const nlohmann::json&)>& condition, double seconds) {
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
@@ -142,7 +150,8 @@ void EditorTest::waitFrames(int count) {
 }
 
 void EditorTest::move(double x, double y) {
-  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", std::to_string(static_cast<int>(x)), std::to_string(static_cast<int>(y))});
+  input({"search", "--name", "Tyndall", "mousemove", "--window", "%1", std::to_string(static_cast<int>(x)),
+         std::to_string(static_cast<int>(y))});
   waitFrames(2);
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <sys/types.h>
+#include <nlohmann/json.hpp>
 
 namespace tyndall::editor_test {
 
@@ -20,7 +20,8 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
   /// `words[0]` is the program, looked up in PATH. `display` "" = none. `keep` stays open in the child.
-  void start(const std::vector<std::string>& words, const std::string& display, const std::filesystem::path& errors, int keep = -1);
+  void start(const std::vector<std::string>& words, const std::string& display, const std::filesystem::path& errors,
+             int keep = -1);
   /// Exit status; 1000 + signal when a signal ended it; -1 when it did not end within `seconds` (it is then killed).
   int wait(double seconds);
   bool running();
@@ -31,8 +32,8 @@ class Process {
 
 bool haveProgram(const std::string& name);
 
-/// A folder and an X server of its own, whose screen is the file Xvfb_screen0 in the folder (see screen.hpp). Skips where Xvfb is
-/// not installed.
+/// A folder and an X server of its own, whose screen is the file Xvfb_screen0 in the folder (see screen.hpp). Skips
+/// where Xvfb is not installed.
 class EditorTest : public ::testing::Test {
  protected:
   void SetUp() override;

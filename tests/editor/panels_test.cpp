@@ -12,7 +12,13 @@ class PanelsTest : public SessionTest {
   double width(const char* widget) const { return rect(widget)[2]; }
   double height(const char* widget) const { return rect(widget)[3]; }
   bool settles(const char* widget, std::size_t side, double size) {
-    return !waitFor([&](const Json& s) { return std::abs(s["widgets"][widget][side].get<double>() - size) <= 1.5 && s["facts"]["picture"] == "current"; }, 20).is_null();
+    return !waitFor(
+                [&](const Json& s) {
+                  return std::abs(s["widgets"][widget][side].get<double>() - size) <= 1.5 &&
+                         s["facts"]["picture"] == "current";
+                },
+                20)
+                .is_null();
   }
   bool contains(const std::string& widget) const { return state()["widgets"].contains(widget); }
 };
@@ -59,11 +65,17 @@ TEST_F(PanelsTest, TextGrowsByTheKeyboard) {
   const image::ByteImage before = look();
   const double row = height("volumetrics.technique");
   for (int i = 0; i < 4; ++i) keys({"ctrl", "equal"});  // 1 to 2
-  ASSERT_FALSE(waitFor([&](const Json& s) { return std::abs(s["widgets"]["volumetrics.technique"][3].get<double>() / row - 2) < 0.1; }, 20).is_null())
+  ASSERT_FALSE(waitFor(
+                   [&](const Json& s) {
+                     return std::abs(s["widgets"]["volumetrics.technique"][3].get<double>() / row - 2) < 0.1;
+                   },
+                   20)
+                   .is_null())
       << height("volumetrics.technique") << " " << row;
   EXPECT_GT(changedShare(before, look()), 0.1);
   keys({"ctrl", "minus"});
-  ASSERT_FALSE(waitFor([&](const Json& s) { return s["widgets"]["volumetrics.technique"][3] < 1.9 * row; }, 20).is_null());
+  ASSERT_FALSE(
+      waitFor([&](const Json& s) { return s["widgets"]["volumetrics.technique"][3] < 1.9 * row; }, 20).is_null());
   keys({"ctrl", "0"});
   ASSERT_FALSE(waitFor([&](const Json& s) { return s["widgets"]["volumetrics.technique"][3] == row; }, 20).is_null());
   EXPECT_LT(changedShare(before, look()), 0.002);  // the same text, pixel by pixel
@@ -86,7 +98,8 @@ TEST_F(PanelsTest, MemoryIsListedByResource) {
   // Only the rows of what matches stay.
   click("memory filter");
   input({"type", "--delay", "60", "depth"});
-  const Json filtered = waitFor([&](const Json& s) { return listed(s) > 0 && !s["widgets"].contains("memory of transient images"); }, 20);
+  const Json filtered =
+      waitFor([&](const Json& s) { return listed(s) > 0 && !s["widgets"].contains("memory of transient images"); }, 20);
   ASSERT_FALSE(filtered.is_null()) << state()["widgets"];
   quit();
 }

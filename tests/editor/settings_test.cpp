@@ -58,8 +58,8 @@ TEST_F(FilesTest, SettingsComeBack) {
 
 TEST_F(FilesTest, BrokenSettingsAreSetAsideAndSaid) {
   for (const char* text : {"{", "[]", "12", "{\"recent_levels\": 3}", "{\"budget_ms\": -1}",
-                           "{\"layout\": {\"side\": -3}}", "{\"layout\": {\"text_scale\": 90}}", "{\"layout\": {\"panels\": 1}}",
-                           "{\"capture\": {\"picture\": \"yes\"}}", ""}) {
+                           "{\"layout\": {\"side\": -3}}", "{\"layout\": {\"text_scale\": 90}}",
+                           "{\"layout\": {\"panels\": 1}}", "{\"capture\": {\"picture\": \"yes\"}}", ""}) {
     SCOPED_TRACE(text);
     const fs::path path = write("editor.json", text);
     SettingsFile file(path);

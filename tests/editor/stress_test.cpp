@@ -1,5 +1,5 @@
-// Random use of the editor: parameters, sizes, levels, views, reloads, faults of window system and memory. The program judges
-// itself (editor/stress.cpp): validation messages, images and buffers that stay, errors without a reason.
+// Random use of the editor: parameters, sizes, levels, views, reloads, faults of window system and memory. The program
+// judges itself (editor/stress.cpp): validation messages, images and buffers that stay, errors without a reason.
 #include "display.hpp"
 #include "tiny_level.hpp"
 

@@ -9,7 +9,8 @@ namespace tyndall::editor_test {
 namespace {
 
 /// How many different colours a part of the picture has.
-std::size_t colours(const image::ByteImage& picture, std::uint32_t left, std::uint32_t top, std::uint32_t right, std::uint32_t bottom) {
+std::size_t colours(const image::ByteImage& picture, std::uint32_t left, std::uint32_t top, std::uint32_t right,
+                    std::uint32_t bottom) {
   std::set<std::uint32_t> seen;
   for (std::uint32_t y = top; y < bottom; ++y)
     for (std::uint32_t x = left; x < right; ++x) {
@@ -22,7 +23,8 @@ std::size_t colours(const image::ByteImage& picture, std::uint32_t left, std::ui
 TEST_F(EditorTest, ScreenshotShowsPictureAndPanels) {
   const auto file = folder_ / "window.png";
   startEditor({"hall", "--frames", "8", "--size", "640x400", "--screenshot", file.string(), "--validate", "--set",
-               "volumetrics.columns=64", "--set", "volumetrics.slices=64", "--set", "shadows.resolution=256", "--set", "volumetrics.prefix_scheme=row"});
+               "volumetrics.columns=64", "--set", "volumetrics.slices=64", "--set", "shadows.resolution=256", "--set",
+               "volumetrics.prefix_scheme=row"});
   ASSERT_EQ(waitEditor(280), 0) << errors();
   EXPECT_EQ(errors(), "");
   const auto now = state();
@@ -54,8 +56,13 @@ TEST_F(EditorTest, WithoutADisplayItSaysSoInOneLine) {
 }
 
 TEST_F(EditorTest, BadCallsAreRefusedInOneLine) {
-  const std::vector<std::vector<std::string>> calls = {{"no_such_level"}, {"hall", "--set", "volumetrics.technique=nothing"}, {"hall", "--camera", "99"},
-                                                       {"hall", "--size", "0x10"}, {"hall", "--frames"}, {"hall", "--frame", "3"}, {"hall", "two"},
+  const std::vector<std::vector<std::string>> calls = {{"no_such_level"},
+                                                       {"hall", "--set", "volumetrics.technique=nothing"},
+                                                       {"hall", "--camera", "99"},
+                                                       {"hall", "--size", "0x10"},
+                                                       {"hall", "--frames"},
+                                                       {"hall", "--frame", "3"},
+                                                       {"hall", "two"},
                                                        {"hall", "--screenshot", "picture.txt"}};
   for (const auto& call : calls) {
     SCOPED_TRACE(call.back());

@@ -43,9 +43,7 @@ Laboratory::Laboratory(const std::string& level, std::uint32_t camera, std::uint
   must(session_->setLevel(std::move(loaded)));
 }
 
-void Laboratory::turn(double degrees) {
-  request_.camera = bench::turned(start_, {degrees, 0});
-}
+void Laboratory::turn(double degrees) { request_.camera = bench::turned(start_, {degrees, 0}); }
 
 std::vector<glm::vec2> Laboratory::lightsInPicture() const {
   return bench::lightsInPicture(session_->level()->lights(0), start_, {request_.width, request_.height});
@@ -83,9 +81,10 @@ std::vector<Shot> Laboratory::again(int frames) {
 }
 
 image::FloatImage Laboratory::truth(std::uint32_t samples) {
-  const std::filesystem::path file = std::filesystem::path(TYNDALL_TRUTH_CACHE) /
-                                     (level_ + "-" + std::to_string(cameraIndex_) + "-" + std::to_string(request_.width) + "x" +
-                                      std::to_string(request_.height) + "-" + std::to_string(samples) + ".exr");
+  const std::filesystem::path file =
+      std::filesystem::path(TYNDALL_TRUTH_CACHE) /
+      (level_ + "-" + std::to_string(cameraIndex_) + "-" + std::to_string(request_.width) + "x" +
+       std::to_string(request_.height) + "-" + std::to_string(samples) + ".exr");
   // A level that was made anew makes its kept truths worthless.
   std::error_code missing;
   const auto made = std::filesystem::last_write_time(file, missing);
@@ -95,7 +94,8 @@ image::FloatImage Laboratory::truth(std::uint32_t samples) {
   settings.width = request_.width;
   settings.height = request_.height;
   settings.samples = samples;
-  const truth::Picture picture = must(truth::render(session_->level()->scene, start_, session_->level()->lights(0), settings));
+  const truth::Picture picture =
+      must(truth::render(session_->level()->scene, start_, session_->level()->lights(0), settings));
   image::FloatImage result{request_.width, request_.height, 4, {}};
   for (const glm::vec4& p : picture.scatter) result.values.insert(result.values.end(), {p.r, p.g, p.b, p.a});
   std::filesystem::create_directories(file.parent_path());

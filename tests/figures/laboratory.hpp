@@ -42,8 +42,8 @@ class Laboratory {
   void at(double seconds) { request_.seconds = seconds; }
   /// Turns the camera about the world's vertical by `degrees` from where it was.
   void turn(double degrees);
-  /// Pixel coordinates (from the upper left corner, y down) of the lamps' places, or of where the suns stand, that lie before the camera
-  /// as the level has it; they may lie outside the picture.
+  /// Pixel coordinates (from the upper left corner, y down) of the lamps' places, or of where the suns stand, that lie
+  /// before the camera as the level has it; they may lie outside the picture.
   std::vector<glm::vec2> lightsInPicture() const;
 
   app::Session& session() { return *session_; }

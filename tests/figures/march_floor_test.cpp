@@ -1,5 +1,5 @@
-// The plain march against the least that any march must do: 320 texel fetches a pixel along a line through a map of the same size, summed and
-// stored, in the same run. A rival that is slower than that by much would flatter the rest.
+// The plain march against the least that any march must do: 320 texel fetches a pixel along a line through a map of the
+// same size, summed and stored, in the same run. A rival that is slower than that by much would flatter the rest.
 #include <algorithm>
 #include <fstream>
 #include <optional>
@@ -47,24 +47,29 @@ double median(std::vector<double> values) {
 class BareLoop {
  public:
   explicit BareLoop(app::Session& session) : device_(session.device()), memory_(session.graphMemory()) {
-    const auto path = std::filesystem::temp_directory_path() / ("tyndall-bare-" + std::to_string(::getpid()) + ".comp.glsl");
+    const auto path =
+        std::filesystem::temp_directory_path() / ("tyndall-bare-" + std::to_string(::getpid()) + ".comp.glsl");
     std::ofstream(path) << kBareLoop;
     auto code = gpu::compileGlsl(path, "comp", {});
     std::filesystem::remove(path);
     if (!code) throw std::runtime_error(code.error().message);
     pipeline_.emplace(take(gpu::createPipeline(
-        device_, gpu::ComputePipelineDesc{.name = "bare loop",
-                                         .shader = std::make_shared<gpu::Shader>(gpu::Shader{"bare.comp", code.take(), 1}),
-                                         .bindings = {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}},
-                                         .specialization = {{0, kSteps}}})));
+        device_,
+        gpu::ComputePipelineDesc{
+            .name = "bare loop",
+            .shader = std::make_shared<gpu::Shader>(gpu::Shader{"bare.comp", code.take(), 1}),
+            .bindings = {{0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}},
+            .specialization = {{0, kSteps}}})));
   }
 
   double milliseconds() {
     auto commands = device_.beginFrame();
     if (!commands) throw std::runtime_error(commands.error().message);
     render::Graph graph(device_, memory_);
-    const render::ImageRef map = graph.image({.name = "map", .format = VK_FORMAT_R32_SFLOAT, .width = kMap, .height = kMap});
-    const render::ImageRef result = graph.image({.name = "result", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .width = kWidth, .height = kHeight});
+    const render::ImageRef map =
+        graph.image({.name = "map", .format = VK_FORMAT_R32_SFLOAT, .width = kMap, .height = kMap});
+    const render::ImageRef result =
+        graph.image({.name = "result", .format = VK_FORMAT_R32G32B32A32_SFLOAT, .width = kWidth, .height = kHeight});
     const VkSamplerCreateInfo nearest{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
     const VkSampler sampler = device_.sampler(nearest);
     graph.pass("clear").use(map, render::Use::kTransferWrite).keep().run([map](render::PassContext& pass) {
@@ -78,7 +83,10 @@ class BareLoop {
         .keep()
         .run([&, map, result](render::PassContext& pass) {
           vkCmdBindPipeline(pass.commands(), pipeline_->bindPoint(), pipeline_->handle());
-          gpu::Descriptors(pass.commands(), *pipeline_).sampled(0, pass.view(map), sampler).storageImage(1, pass.view(result)).push();
+          gpu::Descriptors(pass.commands(), *pipeline_)
+              .sampled(0, pass.view(map), sampler)
+              .storageImage(1, pass.view(result))
+              .push();
           vkCmdDispatch(pass.commands(), kWidth / 8, kHeight / 8, 1);
         });
     if (auto compiled = graph.compile(); !compiled) throw std::runtime_error(compiled.error().message);
@@ -104,7 +112,8 @@ TEST(MarchFloor, TheMarchIsWithinTwiceABareLoopOfFetches) {
   for (const char* level : {"hall", "forest"}) {
     Laboratory lab(level, 0, kWidth, kHeight);
     BareLoop bare(lab.session());
-    lab.shoot({"volumetrics.technique=ray_march", "volumetrics.steps=" + std::to_string(kSteps), "volumetrics.jitter=white", "shadows.resolution=4096"});
+    lab.shoot({"volumetrics.technique=ray_march", "volumetrics.steps=" + std::to_string(kSteps),
+               "volumetrics.jitter=white", "shadows.resolution=4096"});
     bare.milliseconds();
     std::vector<double> floor, march;
     for (int i = 0; i < 5; ++i) {
@@ -112,8 +121,8 @@ TEST(MarchFloor, TheMarchIsWithinTwiceABareLoopOfFetches) {
       march.push_back(lab.again(1).front().pluginMs());
     }
     const double ratio = median(march) / median(floor);
-    report.line(std::string(level) + ", " + lab.device() + ": ray_march 320 " + figure(median(march)) + " ms, bare loop of 320 fetches " +
-                figure(median(floor)) + " ms, ratio " + figure(ratio));
+    report.line(std::string(level) + ", " + lab.device() + ": ray_march 320 " + figure(median(march)) +
+                " ms, bare loop of 320 fetches " + figure(median(floor)) + " ms, ratio " + figure(ratio));
     EXPECT_LT(ratio, 2) << level;
     EXPECT_GT(ratio, 0.3) << level << ": the loop does what the march does not";
   }

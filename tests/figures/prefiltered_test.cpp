@@ -1,5 +1,6 @@
-// The tables of docs/results/prefiltered.md: error of every prefiltering technique over its parameters, against the dense march through
-// the same shadow map and against the ray-traced truth. What the papers observe is asserted where it was confirmed.
+// The tables of docs/results/prefiltered.md: error of every prefiltering technique over its parameters, against the
+// dense march through the same shadow map and against the ray-traced truth. What the papers observe is asserted where
+// it was confirmed.
 #include <map>
 
 #include <gtest/gtest.h>
@@ -37,7 +38,8 @@ class Prefiltered : public testing::TestWithParam<View> {
   double row(const std::string& what, const Settings& settings) {
     const Shot shot = lab_.shoot(kCommon + settings);
     const image::ErrorMetrics march = errorOf(shot.scatter, dense_), truth = errorOf(shot.scatter, truth_);
-    report_.row({what, figure(march.nRmse), figure(march.p99), figure(truth.nRmse), figure(truth.p99), figure(shot.pluginMs(), 2)});
+    report_.row({what, figure(march.nRmse), figure(march.p99), figure(truth.nRmse), figure(truth.p99),
+                 figure(shot.pluginMs(), 2)});
     return march.nRmse;
   }
 
@@ -51,8 +53,10 @@ const Settings kFourier = {"volumetrics.technique=fourier"}, kSix = {"volumetric
 Settings with(const Settings& base, const std::string& setting) { return base + Settings{"volumetrics." + setting}; }
 
 TEST_P(Prefiltered, Table) {
-  report_.line("### " + std::string(GetParam().level) + ", camera " + std::to_string(GetParam().camera) + " (" + GetParam().what + ")");
-  report_.line("Device: " + lab_.device() + ". The dense march against the truth: nRMSE " + figure(errorOf(dense_, truth_).nRmse) + ".");
+  report_.line("### " + std::string(GetParam().level) + ", camera " + std::to_string(GetParam().camera) + " (" +
+               GetParam().what + ")");
+  report_.line("Device: " + lab_.device() + ". The dense march against the truth: nRMSE " +
+               figure(errorOf(dense_, truth_).nRmse) + ".");
 
   head("the map itself (`min_max`, exact on it)");
   for (const char* size : {"512", "1024", "2048"})
@@ -62,8 +66,9 @@ TEST_P(Prefiltered, Table) {
   std::map<std::string, double> fourier;
   for (const char* count : {"8", "16", "32", "64", "128"})
     for (const char* bounds : {"true", "false"})
-      fourier[std::string(count) + bounds] = row(std::string(count) + (bounds[0] == 't' ? ", bounds" : ", no bounds"),
-                                                 with(with(kFourier, "basis_count=" + std::string(count)), "prefix_bounds=" + std::string(bounds)));
+      fourier[std::string(count) + bounds] =
+          row(std::string(count) + (bounds[0] == 't' ? ", bounds" : ", no bounds"),
+              with(with(kFourier, "basis_count=" + std::string(count)), "prefix_bounds=" + std::string(bounds)));
   row("64, 16 bit, bounds", with(with(kFourier, "basis_count=64"), "precision=full"));
   // Klehm et al. 2014, section 5: ringing falls with the number of functions.
   EXPECT_LT(fourier["32true"], fourier["8true"]);
@@ -76,14 +81,16 @@ TEST_P(Prefiltered, Table) {
       if (name[0] == '4' && precision[0] == 's') continue;  // the same as full
       for (const char* over : {"lower", "half", "upper", "adaptive"}) {
         const std::string key = std::string(name) + " " + precision + ", " + over;
-        moments[key] = row(key, with(with(base, "precision=" + std::string(precision)), "overestimation=" + std::string(over)));
+        moments[key] =
+            row(key, with(with(base, "precision=" + std::string(precision)), "overestimation=" + std::string(over)));
       }
     }
   // Peters et al. 2017, section 5.4: six beat four.
   EXPECT_LT(moments["6 standard, half"], moments["4 full, half"]);
 
   head("reference rays");
-  for (const auto& [name, base] : {std::pair{"fourier 64", with(kFourier, "basis_count=64")}, {"moments6", kSix}, {"moments4", kFour}})
+  for (const auto& [name, base] :
+       {std::pair{"fourier 64", with(kFourier, "basis_count=64")}, {"moments6", kSix}, {"moments4", kFour}})
     for (const char* rays : {"1", "2", "3", "4", "6"})
       for (const char* bounds : {"true", "false"})
         row(std::string(name) + ", K = " + rays + (bounds[0] == 't' ? ", bounds" : ""),
@@ -93,13 +100,16 @@ TEST_P(Prefiltered, Table) {
   for (const char* ray : {"bisectrix", "optimum", "mean"})
     for (const char* weights : {"average", "transmittance"})
       row("fourier 64, " + std::string(ray) + ", " + weights,
-          with(with(with(with(with(kFourier, "basis_count=64"), "reference_rays=1"), "prefix_bounds=false"), "reference_ray=" + std::string(ray)),
+          with(with(with(with(with(kFourier, "basis_count=64"), "reference_rays=1"), "prefix_bounds=false"),
+                    "reference_ray=" + std::string(ray)),
                "weights=" + std::string(weights)));
 
   head("rectification");
-  for (const auto& [name, base] : {std::pair{"fourier 64", with(kFourier, "basis_count=64")}, {"moments6", kSix}, {"min_max", kMinMax}}) {
+  for (const auto& [name, base] :
+       {std::pair{"fourier 64", with(kFourier, "basis_count=64")}, {"moments6", kSix}, {"min_max", kMinMax}}) {
     for (const char* splits : {"1", "2", "4"})
-      row(std::string(name) + ", linear, " + splits + " maps", with(with(base, "rectification=linear"), "splits=" + std::string(splits)));
+      row(std::string(name) + ", linear, " + splits + " maps",
+          with(with(base, "rectification=linear"), "splits=" + std::string(splits)));
     row(std::string(name) + ", epipolar, azimuth", with(base, "slice_spacing=azimuth"));
     row(std::string(name) + ", epipolar, border", with(base, "slice_spacing=border"));
   }
@@ -109,16 +119,24 @@ TEST_P(Prefiltered, Table) {
     for (const char* size : {"256", "1024"})
       for (const char* filter : {"nearest", "linear", "mipmapped"})
         row(std::string(name) + ", " + size + "², " + filter,
-            with(with(with(base, "columns=" + std::string(size)), "slices=" + std::string(size)), "row_filter=" + std::string(filter)));
+            with(with(with(base, "columns=" + std::string(size)), "slices=" + std::string(size)),
+                 "row_filter=" + std::string(filter)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Views, Prefiltered,
-                         testing::Values(View{"hall", 0, "across the shafts, epipole off screen"}, View{"hall", 1, "towards the windows, epipole on screen"},
-                                         View{"forest", 0, "across the light, epipole off screen"}, View{"forest", 1, "towards the sun, epipole on screen"},
-                                         View{"terrain", 0, "a vista across the light, epipole off screen"}, View{"tower", 0, "the sun just behind the shaft"},
-                                         View{"lattice", 0, "past the fence to the sun and its beams, and two lamps"}, View{"cage", 0, "a point light just off the screen"},
-                                         View{"vault", 0, "two spot lights with cookies, both cones across"}, View{"town", 0, "along the street: a moon and eight lamps"}),
-                         [](const auto& given) { return std::string(given.param.level) + std::to_string(given.param.camera); });
+                         testing::Values(View{"hall", 0, "across the shafts, epipole off screen"},
+                                         View{"hall", 1, "towards the windows, epipole on screen"},
+                                         View{"forest", 0, "across the light, epipole off screen"},
+                                         View{"forest", 1, "towards the sun, epipole on screen"},
+                                         View{"terrain", 0, "a vista across the light, epipole off screen"},
+                                         View{"tower", 0, "the sun just behind the shaft"},
+                                         View{"lattice", 0, "past the fence to the sun and its beams, and two lamps"},
+                                         View{"cage", 0, "a point light just off the screen"},
+                                         View{"vault", 0, "two spot lights with cookies, both cones across"},
+                                         View{"town", 0, "along the street: a moon and eight lamps"}),
+                         [](const auto& given) {
+                           return std::string(given.param.level) + std::to_string(given.param.camera);
+                         });
 
 }  // namespace
 }  // namespace tyndall::figures

@@ -230,7 +230,8 @@ TEST_F(GpuLifetime, ASiblingComputesOnAnotherThreadBesideFrames) {
     auto sibling = device->createSibling();
     ASSERT_TRUE(sibling.ok()) << sibling.error().message;
     const ComputePipelineDesc desc{.name = "sibling's", .shader = shader, .bindings = {{0}}};
-    auto buffer = (*sibling)->createBuffer({.name = "sibling's", .size = 4, .usage = kBufferCopies | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    auto buffer = (*sibling)->createBuffer(
+        {.name = "sibling's", .size = 4, .usage = kBufferCopies | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     auto pipeline = createPipeline(**sibling, desc);
     ASSERT_TRUE(buffer.ok() && pipeline.ok());
     const auto done = (*sibling)->submitAndWait([&](VkCommandBuffer commands) {

@@ -103,7 +103,11 @@ TEST_F(GpuMemory, UsersAreNamedAndTheirBytesAreAllThatIsAllocated) {
     return byName;
   };
   const std::size_t before = users().size();
-  const ImageDesc desc{.name = "a map", .format = VK_FORMAT_R32_SFLOAT, .width = 300, .height = 200, .usage = VK_IMAGE_USAGE_SAMPLED_BIT};
+  const ImageDesc desc{.name = "a map",
+                       .format = VK_FORMAT_R32_SFLOAT,
+                       .width = 300,
+                       .height = 200,
+                       .usage = VK_IMAGE_USAGE_SAMPLED_BIT};
   auto image = device->createImage(desc);
   auto buffer = device->createBuffer({.name = "a list", .size = 12345, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
   auto shared = device->allocate(device->requirements(desc), "in turn");

@@ -73,8 +73,8 @@ std::vector<Change> measure(bool background) {
     for (const std::string& value : plan.values) {
       changes.push_back(bench.change(plan.id, value));
       const Change& c = changes.back();
-      std::printf("%-55s %7.1f %7.1f %7.1f %6.2f %6.2f %4d %6.2f %3d  %s\n", c.what.c_str(), c.before, c.after, c.worst, c.ratio(), c.cpuRatio(),
-                  c.frames, c.seconds, c.late, c.slowestPass.c_str());
+      std::printf("%-55s %7.1f %7.1f %7.1f %6.2f %6.2f %4d %6.2f %3d  %s\n", c.what.c_str(), c.before, c.after, c.worst,
+                  c.ratio(), c.cpuRatio(), c.frames, c.seconds, c.late, c.slowestPass.c_str());
       std::fflush(stdout);
     }
   }
@@ -85,7 +85,8 @@ TEST(HitchSweep, EveryParameter) {
   const std::vector<Change> beside = measure(true), atOnce = measure(false);
   ASSERT_EQ(beside.size(), atOnce.size());
   std::printf(
-      "| change | before, ms | after, ms | slowest frame, ms | ratio | processor ratio | frames in between | until drawn, s | late | at once: "
+      "| change | before, ms | after, ms | slowest frame, ms | ratio | processor ratio | frames in between | until "
+      "drawn, s | late | at once: "
       "slowest frame, ms | ratio |\n");
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|\n");
   // As in the default suite: a frame that waited for a processor is no hitch of ours.
@@ -93,8 +94,8 @@ TEST(HitchSweep, EveryParameter) {
   int hitches = 0, hitchesAtOnce = 0;
   for (std::size_t i = 0; i < beside.size(); ++i) {
     const Change &b = beside[i], &a = atOnce[i];
-    std::printf("| `%s` | %.0f | %.0f | %.0f | %.2f | %.2f | %d | %.2f | %d | %.0f | %.2f |\n", b.what.c_str(), b.before, b.after,
-                b.worst, b.ratio(), b.cpuRatio(), b.frames, b.seconds, b.late, a.worst, a.ratio());
+    std::printf("| `%s` | %.0f | %.0f | %.0f | %.2f | %.2f | %d | %.2f | %d | %.0f | %.2f |\n", b.what.c_str(),
+                b.before, b.after, b.worst, b.ratio(), b.cpuRatio(), b.frames, b.seconds, b.late, a.worst, a.ratio());
     hitches += hitch(b);
     hitchesAtOnce += hitch(a);
   }

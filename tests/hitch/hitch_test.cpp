@@ -38,13 +38,15 @@ TEST(Hitch, ChangedSettingsDoNotHoldUpFrames) {
     print(change);
     EXPECT_GT(change.frames, 0) << change.what << ": nothing was built beside the frames";
     EXPECT_EQ(change.late, 0) << change.what << ": code that was not compiled ahead";
-    // The promise is about the clock. Where a machine made a frame wait for a processor, which is not ours, the time of the processors tells;
-    // that alone would count what the driver's threads spend on the new images, whether a frame waits for it or not.
+    // The promise is about the clock. Where a machine made a frame wait for a processor, which is not ours, the time of
+    // the processors tells; that alone would count what the driver's threads spend on the new images, whether a frame
+    // waits for it or not.
     EXPECT_LE(std::min(change.ratio(), change.cpuRatio()), 2.0) << change.what;
   }
 }
 
-// Settings of the engine's own frame are followed once their pipelines are there, and then show what they show without all that.
+// Settings of the engine's own frame are followed once their pipelines are there, and then show what they show without
+// all that.
 TEST(Hitch, TheEnginesSettingsAreFollowedInTime) {
   const Settings start = {"volumetrics.enabled=false"};
   const auto pictureOf = [&](const Settings& more) {

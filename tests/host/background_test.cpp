@@ -129,7 +129,11 @@ TEST_F(BackgroundUpdate, whatIsToBeTakenOverOutlivesTheOldLayout) {
   set("passes.odd=1");
   set("passes.moments=1");  // which is to be built
   addLight(scene::LightKind::kDirectional, glm::vec3(1), 1, 0);
-  EXPECT_EQ(settle([](const Picture& picture) { EXPECT_EQ(picture.at(0, 0).r, picture.at(0, 0).g + 2) << "the old values"; }).at(0, 0).r, 1 + 2 * kMoments + 1);
+  EXPECT_EQ(
+      settle([](const Picture& picture) { EXPECT_EQ(picture.at(0, 0).r, picture.at(0, 0).g + 2) << "the old values"; })
+          .at(0, 0)
+          .r,
+      1 + 2 * kMoments + 1);
 }
 
 TEST_F(BackgroundUpdate, aFrameThatHasNoRoomBringsTheOldOneBack) {

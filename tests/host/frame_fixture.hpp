@@ -90,8 +90,8 @@ class FrameFixture : public testing::Test {
     return image.take();
   }
 
-  /// Cookies of 8x8 texels in seven layers: 100 times the layer plus 10 times the mip, and 1000 more in the last column of
-  /// mip 0. And one white texel.
+  /// Cookies of 8x8 texels in seven layers: 100 times the layer plus 10 times the mip, and 1000 more in the last column
+  /// of mip 0. And one white texel.
   void offerCookies() {
     const auto make = [&](const char* name, std::uint32_t side, std::uint32_t layers, std::uint32_t mips) {
       return device_

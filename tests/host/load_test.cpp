@@ -138,7 +138,8 @@ TEST(Load, fiftyTimesWithoutGrowth) {
     EXPECT_GT(mappedPluginParts(), 0u);
   }
   EXPECT_EQ(mappedPluginParts(), 0u);
-  // Everything else in the process may map a little too (a sanitizer's allocator does); one part left by each load is 100.
+  // Everything else in the process may map a little too (a sanitizer's allocator does); one part left by each load is
+  // 100.
   EXPECT_LE(mappedParts(), mapped + 20);
   EXPECT_TRUE(fs::is_empty(temporary.path())) << "a copy was left behind";
   ::unsetenv("TMPDIR");

@@ -8,8 +8,8 @@
 // casters. "passes.moments" 1: in the place of the shadow depth stands what per_light_moments.comp reads of the moment
 // shadow map, plus 10 times the map's TyFormat as layout() was told, which the weight of the light then includes.
 // "passes.cookies" 1: what per_light_cookie.comp reads of the light's cookie stands there; the weight then includes ten
-// times the faces that layout() was told of and what prepare() is told of the cookie. "passes.odd" 1 or a second light, but not both, make
-// the first pass of the chain another pipeline that does the same.
+// times the faces that layout() was told of and what prepare() is told of the cookie. "passes.odd" 1 or a second light,
+// but not both, make the first pass of the chain another pipeline that does the same.
 #include <cstdint>
 #include <cstring>
 #include <vector>

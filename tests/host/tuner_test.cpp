@@ -52,9 +52,10 @@ TEST(Tuner, variantsAreComparedOnTheSameLights) {
   int frame = 0;
   while (!tuner.current("k", kVariants).settled && frame < 100) {
     const std::size_t variant = tuner.current("k", kVariants).variant;
-    const bool second = frame >= 6;  // variant 1 is being timed
+    const bool second = frame >= 6;                          // variant 1 is being timed
     const double once = 3.0 - static_cast<double>(variant);  // the last is the fastest
-    tuner.add("k", variant, second ? 10 * once : once, second ? std::set<std::uint32_t>{0, 1} : std::set<std::uint32_t>{0});
+    tuner.add("k", variant, second ? 10 * once : once,
+              second ? std::set<std::uint32_t>{0, 1} : std::set<std::uint32_t>{0});
     ++frame;
   }
   EXPECT_EQ(frame, 7 + 12);

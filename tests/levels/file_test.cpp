@@ -125,7 +125,8 @@ TEST_P(File, WindingNormalsAndTangentsAgree) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, File, testing::Values("hall", "forest", "vault", "cage", "terrain", "tower", "town", "lattice"));
+INSTANTIATE_TEST_SUITE_P(Levels, File,
+                         testing::Values("hall", "forest", "vault", "cage", "terrain", "tower", "town", "lattice"));
 
 }  // namespace
 }  // namespace tyndall::levels

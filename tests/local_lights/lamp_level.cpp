@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
-#include <glm/gtx/quaternion.hpp>
 #include <unistd.h>
+#include <glm/gtx/quaternion.hpp>
 
 #include "scene/write_glb.hpp"
 
@@ -75,7 +75,8 @@ std::vector<Bar> roof() {
   return bars;
 }
 
-std::string writeLevel(const std::string& name, const std::vector<Lamp>& lamps, const std::vector<Bar>& bars, bool shell) {
+std::string writeLevel(const std::string& name, const std::vector<Lamp>& lamps, const std::vector<Bar>& bars,
+                       bool shell) {
   scene::Scene level;
   level.name = name;
   scene::Material material;
@@ -118,7 +119,8 @@ std::string writeLevel(const std::string& name, const std::vector<Lamp>& lamps, 
     level.lights.push_back(light);
     level.nodes.push_back(node);
   }
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("tyndall-lamps-" + std::to_string(getpid()));
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("tyndall-lamps-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   const std::filesystem::path file = folder / (name + ".glb");
   if (const auto written = scene::writeGlb(level, file); !written) throw std::runtime_error(written.error().message);

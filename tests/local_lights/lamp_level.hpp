@@ -13,12 +13,12 @@ namespace tyndall::local_lights {
 struct Lamp {
   scene::LightKind kind = scene::LightKind::kSpot;
   glm::vec3 position{0};
-  glm::vec3 towards{0, 0, -1};     ///< direction in which a spot or sun shines
-  float intensity = 400;           ///< cd; lux of a sun
+  glm::vec3 towards{0, 0, -1};  ///< direction in which a spot or sun shines
+  float intensity = 400;        ///< cd; lux of a sun
   std::optional<float> range;
   float inner = 0.2f, outer = 0.4f;  ///< rad
   glm::vec3 color{1};
-  bool cookie = false;               ///< four by four squares of strong colours; of a sun a tile of 4 m
+  bool cookie = false;  ///< four by four squares of strong colours; of a sun a tile of 4 m
 };
 
 /// A flat bar: from `a` to `b`, of the given width along `across`.
@@ -35,6 +35,7 @@ std::vector<Bar> cage(const glm::vec3& around, float half);
 std::vector<Bar> roof();
 
 /// Writes the level as a .glb file into the folder of temporary files; `shell` adds floor and wall. Returns its path.
-std::string writeLevel(const std::string& name, const std::vector<Lamp>& lamps, const std::vector<Bar>& bars, bool shell = true);
+std::string writeLevel(const std::string& name, const std::vector<Lamp>& lamps, const std::vector<Bar>& bars,
+                       bool shell = true);
 
 }  // namespace tyndall::local_lights

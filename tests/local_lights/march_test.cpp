@@ -20,17 +20,22 @@ using figures::Settings;
 using scene::LightKind;
 
 const Settings kMarch = {"volumetrics.technique=ray_march"};
-Settings marched(int steps) { return kMarch + Settings{"shadows.resolution=2048", "volumetrics.steps=" + std::to_string(steps)}; }
-Settings withSteps(const char* steps) { return kMarch + Settings{"shadows.resolution=1024", "volumetrics.steps=" + std::string(steps)}; }
+Settings marched(int steps) {
+  return kMarch + Settings{"shadows.resolution=2048", "volumetrics.steps=" + std::to_string(steps)};
+}
+Settings withSteps(const char* steps) {
+  return kMarch + Settings{"shadows.resolution=1024", "volumetrics.steps=" + std::string(steps)};
+}
 
 double mean(const image::FloatImage& picture) {
   double sum = 0;
-  for (std::size_t i = 0; i < picture.values.size(); i += 4) sum += picture.values[i] + picture.values[i + 1] + picture.values[i + 2];
+  for (std::size_t i = 0; i < picture.values.size(); i += 4)
+    sum += picture.values[i] + picture.values[i + 1] + picture.values[i + 2];
   return sum / (3.0 * picture.width * picture.height);
 }
 
-/// nRMSE where picture and truth see the same surface: at an edge a pixel's ray may pass or not, which no technique can change. Such
-/// pixels, told by their transmittance, must be few.
+/// nRMSE where picture and truth see the same surface: at an edge a pixel's ray may pass or not, which no technique can
+/// change. Such pixels, told by their transmittance, must be few.
 double errorOnSameSurfaces(image::FloatImage picture, const image::FloatImage& truth) {
   int others = 0;
   for (std::size_t i = 0; i < truth.values.size(); i += 4) {
@@ -116,8 +121,10 @@ TEST_P(AgainstTruth, MarchConvergesToIt) {
   EXPECT_GT(errorOf(empty.shoot(marched(64)).scatter, truth).nRmse, 5 * last) << "hardly a shadow";
 }
 
-INSTANTIATE_TEST_SUITE_P(Lamps, AgainstTruth, testing::ValuesIn(kCases), [](const auto& each) { return std::string(each.param.name); });
-INSTANTIATE_TEST_SUITE_P(Cookies, AgainstTruth, testing::ValuesIn(kCookieCases), [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(Lamps, AgainstTruth, testing::ValuesIn(kCases),
+                         [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(Cookies, AgainstTruth, testing::ValuesIn(kCookieCases),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 // Nothing in the way and nothing around: no shadow map's resolution in the error, and few steps do.
 TEST(March, AnUnshadowedLampNeedsFewSteps) {
@@ -139,7 +146,9 @@ TEST(March, LightsOfAllKindsAddUp) {
   Lamp spot = kCases[0].lamp, point = kCases[6].lamp, away = lamp(LightKind::kSpot, {0, 2, 20}, {0, 0, 1});
   spot.color = {1, 0.2f, 0.1f};
   const std::vector<Bar> bars = slatsBefore(spot, 1.2f);
-  const auto alone = [&](const Lamp& one) { return Laboratory(writeLevel("one", {one}, bars), 0, 160, 90).shoot(withSteps("64")).scatter; };
+  const auto alone = [&](const Lamp& one) {
+    return Laboratory(writeLevel("one", {one}, bars), 0, 160, 90).shoot(withSteps("64")).scatter;
+  };
   image::FloatImage sum = alone(sun);
   for (const Lamp& other : {spot, point}) {
     const image::FloatImage more = alone(other);
@@ -151,7 +160,8 @@ TEST(March, LightsOfAllKindsAddUp) {
   EXPECT_LT(errorOf(all.scatter, sum).nRmse, 1e-5);
   for (std::size_t i = 3; i < sum.values.size(); i += 4) ASSERT_EQ(all.scatter.values[i], sum.values[i]);
   int marches = 0;
-  for (const render::PassTime& pass : all.passes) marches += pass.owner == "volumetrics" && pass.name.starts_with("march");
+  for (const render::PassTime& pass : all.passes)
+    marches += pass.owner == "volumetrics" && pass.name.starts_with("march");
   EXPECT_EQ(marches, 3) << "the lamp that shines away must cost no pass";
 }
 
@@ -161,7 +171,8 @@ TEST(March, ALampOutOfViewLeavesTheTransmittanceAndNoPass) {
   EXPECT_EQ(mean(shot.scatter), 0);
   EXPECT_GT(shot.scatter.at(80, 45, 3), 0.4);
   EXPECT_LT(shot.scatter.at(80, 45, 3), 0.6);  // 20 m to the wall
-  for (const render::PassTime& pass : shot.passes) EXPECT_FALSE(pass.owner == "volumetrics" && pass.name.starts_with("march")) << pass.name;
+  for (const render::PassTime& pass : shot.passes)
+    EXPECT_FALSE(pass.owner == "volumetrics" && pass.name.starts_with("march")) << pass.name;
 }
 
 // What the parameters of the march do with a lamp.
@@ -177,14 +188,18 @@ TEST(March, ParametersDoWhatTheySay) {
   std::printf("16 steps of equal angle %.4f, of equal distance %.4f\n", error, distance);
   EXPECT_GT(distance, 1.2 * error);
   // Both arrive at the same picture.
-  EXPECT_LT(errorOf(lab.shoot(withSteps("4096") + Settings{"volumetrics.march_spacing=distance"}).scatter, reference).nRmse, 5e-3);
+  EXPECT_LT(
+      errorOf(lab.shoot(withSteps("4096") + Settings{"volumetrics.march_spacing=distance"}).scatter, reference).nRmse,
+      5e-3);
   // Jitter is noise around the truth, not an offset.
-  EXPECT_NEAR(mean(lab.shoot(withSteps("64") + Settings{"volumetrics.jitter=white"}).scatter) / mean(reference), 1, 5e-3);
+  EXPECT_NEAR(mean(lab.shoot(withSteps("64") + Settings{"volumetrics.jitter=white"}).scatter) / mean(reference), 1,
+              5e-3);
   EXPECT_NEAR(mean(shot({"medium.albedo=0.45"})) / mean(base), 0.5, 1e-4);
   EXPECT_EQ(mean(shot({"medium.sigma_t=0"})), 0);
 }
 
-// The view "difference" holds a march of every light that meets every shadow texel: a fine march is black in it, a coarse one is not.
+// The view "difference" holds a march of every light that meets every shadow texel: a fine march is black in it, a
+// coarse one is not.
 TEST(March, TheDifferenceViewKnowsLocalLights) {
   std::vector<Bar> bars = cage(kCases[6].lamp.position, 0.7f);
   for (const Bar& bar : slatsBefore(kCases[0].lamp, 1.2f)) bars.push_back(bar);
@@ -195,8 +210,10 @@ TEST(March, TheDifferenceViewKnowsLocalLights) {
     for (const std::uint8_t value : picture.values) sum += value;
     return sum / static_cast<double>(picture.values.size());
   };
-  const double fine = brightness("2048", "difference"), coarse = brightness("8", "difference"), dense = brightness("8", "dense_march");
-  std::printf("mean of the difference view: 8 steps %.2f, 2048 steps %.2f; of the dense march %.1f\n", coarse, fine, dense);
+  const double fine = brightness("2048", "difference"), coarse = brightness("8", "difference"),
+               dense = brightness("8", "dense_march");
+  std::printf("mean of the difference view: 8 steps %.2f, 2048 steps %.2f; of the dense march %.1f\n", coarse, fine,
+              dense);
   // The view is coded for the eye, which lifts what is dark: a fiftieth of the difference is a sixth of the brightness.
   EXPECT_LT(fine, 0.15 * coarse);
   EXPECT_GT(coarse, 2);

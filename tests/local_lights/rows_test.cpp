@@ -1,4 +1,5 @@
-// The techniques on rectified rows with lamps and cookies against the ray-traced truth, and the march beside them. Figures are printed.
+// The techniques on rectified rows with lamps and cookies against the ray-traced truth, and the march beside them.
+// Figures are printed.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -17,12 +18,14 @@ using figures::Laboratory;
 using figures::Settings;
 using scene::LightKind;
 
-const Settings kBase = {"shadows.resolution=2048", "volumetrics.columns=1024", "volumetrics.slices=1024", "volumetrics.prefix_scheme=block"};
+const Settings kBase = {"shadows.resolution=2048", "volumetrics.columns=1024", "volumetrics.slices=1024",
+                        "volumetrics.prefix_scheme=block"};
 
 /// nRMSE without the pixels, told by their transmittance, whose rays end on another surface in the truth.
 double errorOnSameSurfaces(image::FloatImage picture, const image::FloatImage& truth) {
   for (std::size_t i = 0; i < truth.values.size(); i += 4)
-    if (std::abs(picture.values[i + 3] - truth.values[i + 3]) >= 1e-3f) std::copy_n(&truth.values[i], 4, &picture.values[i]);
+    if (std::abs(picture.values[i + 3] - truth.values[i + 3]) >= 1e-3f)
+      std::copy_n(&truth.values[i], 4, &picture.values[i]);
   return errorOf(picture, truth).nRmse;
 }
 
@@ -67,7 +70,8 @@ TEST_P(RowsAgainstTruth, StayWithinTheirMeasuredErrors) {
   const image::FloatImage truth = lab.truth(2048);
   const auto error = [&](const char* what, const Settings& settings) {
     image::FloatImage picture = lab.shoot(kBase + settings).scatter;
-    // A lamp's own pixels, hundreds of times as bright as the rest, would be all that is compared: the block is for those.
+    // A lamp's own pixels, hundreds of times as bright as the rest, would be all that is compared: the block is for
+    // those.
     for (const glm::vec2& at : lab.lightsInPicture())
       for (std::uint32_t y = 0; y < truth.height; ++y)
         for (std::uint32_t x = 0; x < truth.width; ++x)
@@ -80,7 +84,9 @@ TEST_P(RowsAgainstTruth, StayWithinTheirMeasuredErrors) {
   EXPECT_LT(error("ray_march 512", {"volumetrics.technique=ray_march", "volumetrics.steps=512"}), c.march);
   error("exact, K = 3", {"volumetrics.technique=exact", "volumetrics.reference_rays=3"});
   EXPECT_LT(error("exact, K = 4", {"volumetrics.technique=exact", "volumetrics.reference_rays=4"}), c.exact);
-  EXPECT_LT(error("fourier 32", {"volumetrics.technique=fourier", "volumetrics.basis_count=32", "volumetrics.reference_rays=3"}), c.fourier);
+  EXPECT_LT(error("fourier 32",
+                  {"volumetrics.technique=fourier", "volumetrics.basis_count=32", "volumetrics.reference_rays=3"}),
+            c.fourier);
   // A light that is not there, or a cookie that is not looked at, would be far off.
   Lamp other = c.lamp;
   other.cookie = !c.lamp.cookie;
@@ -88,18 +94,22 @@ TEST_P(RowsAgainstTruth, StayWithinTheirMeasuredErrors) {
   EXPECT_GT(errorOf(changed.shoot(kBase + Settings{"volumetrics.technique=exact"}).scatter, truth).nRmse, 0.3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lamps, RowsAgainstTruth, testing::ValuesIn(kCases), [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(Lamps, RowsAgainstTruth, testing::ValuesIn(kCases),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 // The block around a lamp on screen is the dense march, cookie and all, in every technique on rows.
 TEST(Rows, TheBlockAroundALampIsTheMarch) {
-  Laboratory lab(writeLevel("rows_block", {lamp(LightKind::kSpot, {0.4f, 2.2f, -2}, {-0.1f, -0.1f, 1}, true)}, {}), 0, 160, 90);
-  const image::FloatImage march = lab.shoot(kBase + Settings{"volumetrics.technique=ray_march", "volumetrics.steps=4096"}).scatter;
-  const image::FloatImage block = lab.shoot(kBase + Settings{"volumetrics.technique=exact", "volumetrics.epipole_block=64"}).scatter;
+  Laboratory lab(writeLevel("rows_block", {lamp(LightKind::kSpot, {0.4f, 2.2f, -2}, {-0.1f, -0.1f, 1}, true)}, {}), 0,
+                 160, 90);
+  const image::FloatImage march =
+      lab.shoot(kBase + Settings{"volumetrics.technique=ray_march", "volumetrics.steps=4096"}).scatter;
+  const image::FloatImage block =
+      lab.shoot(kBase + Settings{"volumetrics.technique=exact", "volumetrics.epipole_block=64"}).scatter;
   EXPECT_LT(errorOf(block, march).nRmse, 0.02);
 }
 
-// A further lamp that covers little of the screen has a smaller map in the same images: what it adds is what it scatters alone, with the whole
-// map, but for that map's resolution.
+// A further lamp that covers little of the screen has a smaller map in the same images: what it adds is what it
+// scatters alone, with the whole map, but for that map's resolution.
 TEST(Rows, AFurtherLampWithASmallMapAddsWhatItScattersAlone) {
   const Lamp first = lamp(LightKind::kSpot, {-4, 4, 0}, {1, -0.5f, -0.2f}, false);
   Lamp second = lamp(LightKind::kPoint, {3, 2, -4}, {0, 0, -1}, false, 2.5f);
@@ -110,7 +120,8 @@ TEST(Rows, AFurtherLampWithASmallMapAddsWhatItScattersAlone) {
   Laboratory alone(writeLevel("rows_second", {second}, bars), 0, 160, 90);
   for (const char* technique : {"exact", "fourier", "moments6"})
     for (const char* filter : {"linear", "mipmapped"}) {
-      const Settings settings = kBase + Settings{"volumetrics.technique=" + std::string(technique), "volumetrics.row_filter=" + std::string(filter)};
+      const Settings settings = kBase + Settings{"volumetrics.technique=" + std::string(technique),
+                                                 "volumetrics.row_filter=" + std::string(filter)};
       image::FloatImage added = both.shoot(settings).scatter;
       const image::FloatImage without = one.shoot(settings).scatter, expected = alone.shoot(settings).scatter;
       for (std::size_t i = 0; i < added.values.size(); ++i) added.values[i] -= without.values[i];

@@ -3,24 +3,29 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <malloc.h>
 
+#include "base/memory.hpp"
 #include "bench/stand.hpp"
 #include "laboratory.hpp"
 
 namespace tyndall::figures {
 namespace {
 
-const Settings kSmall = {"shadows.resolution=512", "volumetrics.columns=256", "volumetrics.slices=256", "volumetrics.prefix_scheme=row"};
+const Settings kSmall = {"shadows.resolution=512", "volumetrics.columns=256", "volumetrics.slices=256",
+                         "volumetrics.prefix_scheme=row"};
 
-// Sharp bounds: whatever the true visibility, lower <= half <= upper at every pixel, and half is the middle. Exact for K = 1; interpolation
-// between several reference rays has negative weights, hence one.
+// Sharp bounds: whatever the true visibility, lower <= half <= upper at every pixel, and half is the middle. Exact for
+// K = 1; interpolation between several reference rays has negative weights, hence one.
 TEST(Effects, OverestimationIsMonotonicAtEveryPixel) {
   Laboratory lab("hall", 0, 160, 90);
   for (const char* technique : {"moments4", "moments6"}) {
-    const Settings base = kSmall + Settings{"volumetrics.technique=" + std::string(technique), "volumetrics.reference_rays=1"};
-    const auto shot = [&](const char* value) { return lab.shoot(base + Settings{"volumetrics.overestimation=" + std::string(value)}).scatter; };
-    const image::FloatImage lower = shot("lower"), half = shot("half"), upper = shot("upper"), adaptive = shot("adaptive");
+    const Settings base =
+        kSmall + Settings{"volumetrics.technique=" + std::string(technique), "volumetrics.reference_rays=1"};
+    const auto shot = [&](const char* value) {
+      return lab.shoot(base + Settings{"volumetrics.overestimation=" + std::string(value)}).scatter;
+    };
+    const image::FloatImage lower = shot("lower"), half = shot("half"), upper = shot("upper"),
+                            adaptive = shot("adaptive");
     double widest = 0;
     for (std::size_t i = 0; i < lower.values.size(); ++i) {
       const float slack = 1e-4f * (1 + upper.values[i]);
@@ -41,7 +46,8 @@ TEST(Effects, TheEpipoleBlockIsMarchedAndNothingElse) {
   const Settings base = kSmall + Settings{"volumetrics.technique=moments6"};
   const image::FloatImage without = lab.shoot(base + Settings{"volumetrics.epipole_block=0"}).scatter;
   const image::FloatImage with = lab.shoot(base + Settings{"volumetrics.epipole_block=12"}).scatter;
-  const image::FloatImage march = lab.shoot(kSmall + Settings{"volumetrics.technique=ray_march", "volumetrics.steps=4096"}).scatter;
+  const image::FloatImage march =
+      lab.shoot(kSmall + Settings{"volumetrics.technique=ray_march", "volumetrics.steps=4096"}).scatter;
   std::uint32_t x0 = 160, x1 = 0, y0 = 90, y1 = 0, changed = 0;
   for (std::uint32_t y = 0; y < 90; ++y)
     for (std::uint32_t x = 0; x < 160; ++x) {
@@ -59,11 +65,16 @@ TEST(Effects, TheEpipoleBlockIsMarchedAndNothingElse) {
 TEST(Effects, MoreColumnsAndSlicesBringMinMaxToTheMarch) {
   Laboratory lab("hall", 0, 160, 90);
   const Settings common = {"shadows.resolution=2048"};
-  const image::FloatImage march = lab.shoot(common + Settings{"volumetrics.technique=ray_march", "volumetrics.steps=4096"}).scatter;
+  const image::FloatImage march =
+      lab.shoot(common + Settings{"volumetrics.technique=ray_march", "volumetrics.steps=4096"}).scatter;
   double last = 1e9;
   for (const char* size : {"128", "512", "2048"}) {
-    const double error = errorOf(lab.shoot(common + Settings{"volumetrics.technique=min_max", "volumetrics.columns=" + std::string(size),
-                                                             "volumetrics.slices=" + std::string(size)}).scatter, march).nRmse;
+    const double error =
+        errorOf(lab.shoot(common + Settings{"volumetrics.technique=min_max", "volumetrics.columns=" + std::string(size),
+                                            "volumetrics.slices=" + std::string(size)})
+                    .scatter,
+                march)
+            .nRmse;
     std::printf("min_max %s^2 against the march: %.4f\n", size, error);
     EXPECT_LT(error, 0.7 * last) << size;
     last = error;
@@ -71,8 +82,9 @@ TEST(Effects, MoreColumnsAndSlicesBringMinMaxToTheMarch) {
   EXPECT_LT(last, 0.03);
 }
 
-// The walk of the wavelet matrix against the walk of the min-max tree: two ways to sum the same map, one by the reference rays' weights and by
-// bins of depth, the other by the ray's own. With six reference rays nothing but the bins is left; levels trade error for time.
+// The walk of the wavelet matrix against the walk of the min-max tree: two ways to sum the same map, one by the
+// reference rays' weights and by bins of depth, the other by the ray's own. With six reference rays nothing but the
+// bins is left; levels trade error for time.
 TEST(Effects, ExactIsTheDenseSumOfItsMap) {
   Laboratory lab("hall", 0, 160, 90);
   struct Map {
@@ -84,17 +96,29 @@ TEST(Effects, ExactIsTheDenseSumOfItsMap) {
   const Map maps[] = {
       {"epipolar 1024x256", {"volumetrics.columns=1024", "volumetrics.slices=256"}, 0.003, {"row", "block", "scan"}},
       {"epipolar, 700 columns", {"volumetrics.columns=700", "volumetrics.slices=256"}, 0.004, {"row", "block", "scan"}},
-      {"epipolar, nearest rows", {"volumetrics.columns=1024", "volumetrics.slices=256", "volumetrics.row_filter=nearest"}, 0.003},
-      {"linear, 3 maps of 300", {"volumetrics.rectification=linear", "volumetrics.splits=3", "volumetrics.columns=300", "volumetrics.slices=256"}, 0.006},
+      {"epipolar, nearest rows",
+       {"volumetrics.columns=1024", "volumetrics.slices=256", "volumetrics.row_filter=nearest"},
+       0.003},
+      {"linear, 3 maps of 300",
+       {"volumetrics.rectification=linear", "volumetrics.splits=3", "volumetrics.columns=300",
+        "volumetrics.slices=256"},
+       0.006},
       {"epipolar, 4096 columns", {"volumetrics.columns=4096", "volumetrics.slices=64"}, 0.003, {"row", "scan"}},
-      {"linear, 4 maps of 2048", {"volumetrics.rectification=linear", "volumetrics.splits=4", "volumetrics.columns=2048", "volumetrics.slices=64"}, 0.006},
+      {"linear, 4 maps of 2048",
+       {"volumetrics.rectification=linear", "volumetrics.splits=4", "volumetrics.columns=2048",
+        "volumetrics.slices=64"},
+       0.006},
   };
   for (const Map& map : maps) {
     const Settings base = Settings{"shadows.resolution=1024"} + map.settings;
     const image::FloatImage dense = lab.shoot(base + Settings{"volumetrics.technique=min_max"}).scatter;
     for (const char* scheme : map.schemes) {
-      const double error = errorOf(lab.shoot(base + Settings{"volumetrics.technique=exact", "volumetrics.reference_rays=6",
-                                                             "volumetrics.prefix_scheme=" + std::string(scheme)}).scatter, dense).nRmse;
+      const double error =
+          errorOf(lab.shoot(base + Settings{"volumetrics.technique=exact", "volumetrics.reference_rays=6",
+                                            "volumetrics.prefix_scheme=" + std::string(scheme)})
+                      .scatter,
+                  dense)
+              .nRmse;
       std::printf("exact, %s, %s: %.5f from the dense sum\n", map.name, scheme, error);
       EXPECT_LT(error, map.most) << map.name << ' ' << scheme;
     }
@@ -103,32 +127,45 @@ TEST(Effects, ExactIsTheDenseSumOfItsMap) {
   const image::FloatImage dense = lab.shoot(base + Settings{"volumetrics.technique=min_max"}).scatter;
   double last = 1e9;
   for (const char* levels : {"1", "2", "4", "6", "8"}) {
-    const double error = errorOf(lab.shoot(base + Settings{"volumetrics.technique=exact", "volumetrics.prefix_bounds=false",
-                                                           "volumetrics.levels=" + std::string(levels)}).scatter, dense).nRmse;
+    const double error =
+        errorOf(lab.shoot(base + Settings{"volumetrics.technique=exact", "volumetrics.prefix_bounds=false",
+                                          "volumetrics.levels=" + std::string(levels)})
+                    .scatter,
+                dense)
+            .nRmse;
     std::printf("exact, %s levels: %.5f from the dense sum\n", levels, error);
     EXPECT_LT(error, 0.75 * last) << levels;
     last = error;
   }
 }
 
-// Shorter segments are joined with the ray's own weights: with one reference ray, more regions must bring the error of the weights down.
+// Shorter segments are joined with the ray's own weights: with one reference ray, more regions must bring the error of
+// the weights down.
 TEST(Effects, RegionsTakeAwayTheErrorOfASingleReferenceRay) {
   Laboratory lab("hall", 0, 160, 90);
-  const Settings base = kSmall + Settings{"volumetrics.technique=fourier", "volumetrics.basis_count=128", "volumetrics.reference_rays=1",
-                                          "volumetrics.precision=full", "medium.sigma_t=0.1"};
-  const image::FloatImage exact = lab.shoot(kSmall + Settings{"volumetrics.technique=min_max", "medium.sigma_t=0.1"}).scatter;
-  const auto error = [&](const char* regions) { return errorOf(lab.shoot(base + Settings{"volumetrics.regions=" + std::string(regions)}).scatter, exact).nRmse; };
+  const Settings base =
+      kSmall + Settings{"volumetrics.technique=fourier", "volumetrics.basis_count=128", "volumetrics.reference_rays=1",
+                        "volumetrics.precision=full", "medium.sigma_t=0.1"};
+  const image::FloatImage exact =
+      lab.shoot(kSmall + Settings{"volumetrics.technique=min_max", "medium.sigma_t=0.1"}).scatter;
+  const auto error = [&](const char* regions) {
+    return errorOf(lab.shoot(base + Settings{"volumetrics.regions=" + std::string(regions)}).scatter, exact).nRmse;
+  };
   const double one = error("1"), eight = error("8");
   std::printf("fourier 128, K = 1, against min_max on the same map: 1 region %.4f, 8 regions %.4f\n", one, eight);
   EXPECT_LT(eight, 0.6 * one);
 }
 
-// Rows much coarser than the shadow map: single texels miss thin branches, the filtered map does not (Peters et al. 2017, section 5.2).
+// Rows much coarser than the shadow map: single texels miss thin branches, the filtered map does not (Peters et al.
+// 2017, section 5.2).
 TEST(Effects, FilteredResamplingLowersTheErrorOfSmallMaps) {
   Laboratory lab("forest", 0, 320, 180);
-  // Even columns: those that grow away from the eye miss less of what is near it, and leave the filter less to mend (0.51 and 0.99).
-  const Settings common = {"shadows.resolution=2048", "volumetrics.prefix_scheme=row", "volumetrics.column_spacing=distance"};
-  const image::FloatImage march = lab.shoot(common + Settings{"volumetrics.technique=ray_march", "volumetrics.steps=1024"}).scatter;
+  // Even columns: those that grow away from the eye miss less of what is near it, and leave the filter less to mend
+  // (0.51 and 0.99).
+  const Settings common = {"shadows.resolution=2048", "volumetrics.prefix_scheme=row",
+                           "volumetrics.column_spacing=distance"};
+  const image::FloatImage march =
+      lab.shoot(common + Settings{"volumetrics.technique=ray_march", "volumetrics.steps=1024"}).scatter;
   struct Case {
     const char* technique;
     const char* size;
@@ -136,8 +173,9 @@ TEST(Effects, FilteredResamplingLowersTheErrorOfSmallMaps) {
   };
   // Measured shares: 0.37, 0.62 and 0.88; what remains of moments6 is the error of its bounds.
   for (const Case& c : {Case{"fourier", "128", 0.5}, Case{"fourier", "256", 0.75}, Case{"moments6", "128", 0.95}}) {
-    const Settings base = common + Settings{"volumetrics.technique=" + std::string(c.technique), "volumetrics.columns=" + std::string(c.size),
-                                            "volumetrics.slices=" + std::string(c.size)};
+    const Settings base =
+        common + Settings{"volumetrics.technique=" + std::string(c.technique),
+                          "volumetrics.columns=" + std::string(c.size), "volumetrics.slices=" + std::string(c.size)};
     const double without = errorOf(lab.shoot(base).scatter, march).nRmse;
     for (const char* precision : {"64", "128"}) {
       const Settings filtered = {"volumetrics.filtered_resampling=true", "shadows.precision=" + std::string(precision)};
@@ -148,15 +186,20 @@ TEST(Effects, FilteredResamplingLowersTheErrorOfSmallMaps) {
   }
 }
 
-// With the sun on the screen slices span inclinations from the epipole on, and short prefixes near it want another polynomial between reference
-// rays than long ones: joined by the row's own depth, three had 0.108 and four 0.033 here.
+// With the sun on the screen slices span inclinations from the epipole on, and short prefixes near it want another
+// polynomial between reference rays than long ones: joined by the row's own depth, three had 0.108 and four 0.033 here.
 TEST(Effects, FewReferenceRaysServeTheSunOnTheScreen) {
   Laboratory lab("hall", 1, 160, 90);
   const Settings base = {"shadows.resolution=2048", "volumetrics.prefix_scheme=row"};
   const image::FloatImage dense = lab.shoot(base + Settings{"volumetrics.technique=min_max"}).scatter;
   const std::pair<const char*, double> most[] = {{"3", 0.075}, {"4", 0.025}, {"6", 0.015}};
   for (const auto& [rays, bound] : most) {
-    const double error = errorOf(lab.shoot(base + Settings{"volumetrics.technique=exact", std::string("volumetrics.reference_rays=") + rays}).scatter, dense).nRmse;
+    const double error =
+        errorOf(
+            lab.shoot(base + Settings{"volumetrics.technique=exact", std::string("volumetrics.reference_rays=") + rays})
+                .scatter,
+            dense)
+            .nRmse;
     std::printf("exact, sun on the screen, K = %s: %.4f from the dense sum\n", rays, error);
     EXPECT_LT(error, bound) << rays;
   }
@@ -167,7 +210,8 @@ TEST(Effects, KeptShadowMapsAreDrawnAgainWhenSomethingHasChanged) {
   Laboratory lab("cage", 0, 160, 90);
   const Settings base = {"shadows.resolution=512", "volumetrics.technique=ray_march", "volumetrics.steps=32"};
   const auto drawn = [](const Shot& shot) {
-    return std::count_if(shot.passes.begin(), shot.passes.end(), [](const auto& pass) { return pass.owner == "engine" && pass.name.starts_with("shadow "); });
+    return std::count_if(shot.passes.begin(), shot.passes.end(),
+                         [](const auto& pass) { return pass.owner == "engine" && pass.name.starts_with("shadow "); });
   };
   image::FloatImage last;
   for (const double seconds : {0.0, 1.0}) {
@@ -188,17 +232,19 @@ TEST(Effects, KeptShadowMapsAreDrawnAgainWhenSomethingHasChanged) {
   EXPECT_EQ(moved[1].scatter.values, lab.shoot(base + Settings{"shadows.reuse=false"}).scatter.values);
   // Another size is another map.
   lab.shoot(base);
-  EXPECT_EQ(lab.shoot({"shadows.resolution=256", "volumetrics.technique=ray_march", "volumetrics.steps=32", "shadows.reuse=true"}).scatter.values,
-            lab.shoot({"shadows.resolution=256", "volumetrics.technique=ray_march", "volumetrics.steps=32", "shadows.reuse=false"}).scatter.values);
+  EXPECT_EQ(lab.shoot({"shadows.resolution=256", "volumetrics.technique=ray_march", "volumetrics.steps=32",
+                       "shadows.reuse=true"})
+                .scatter.values,
+            lab.shoot({"shadows.resolution=256", "volumetrics.technique=ray_march", "volumetrics.steps=32",
+                       "shadows.reuse=false"})
+                .scatter.values);
 }
 
-// Frames of the same picture leave nothing behind, neither here nor in the driver: lavapipe kept a megabyte or two of each for the lights that it found in
-// a uniform block (shaders/engine/include/opaque.glsl). Under a sanitizer's allocator this sees nothing.
+// Frames of the same picture leave nothing behind, neither here nor in the driver: lavapipe kept a megabyte or two of
+// each for the lights that it found in a uniform block (shaders/engine/include/opaque.glsl). Under a sanitizer's
+// allocator this sees nothing.
 TEST(Effects, FramesKeepNoMemory) {
-  const auto held = [] {
-    const struct mallinfo2 heaps = ::mallinfo2();
-    return static_cast<double>(heaps.uordblks + heaps.hblkhd) / (1 << 20);
-  };
+  const auto held = [] { return static_cast<double>(allocatedBytes()) / (1 << 20); };
   for (const char* name : {"cage", "hall"}) {
     auto catalogue = app::Catalogue::load(app::pluginFolder({}));
     ASSERT_TRUE(catalogue) << catalogue.error().message;
@@ -209,8 +255,11 @@ TEST(Effects, FramesKeepNoMemory) {
     const auto camera = app::chooseCamera(*level, 0, 0);
     ASSERT_TRUE(camera) << camera.error().message;
     ASSERT_TRUE((*stand)->setLevel(level.take()));
-    const bench::Assignments settings = {{"shadows.resolution", "256"},   {"volumetrics.technique", "exact"},    {"volumetrics.columns", "64"},
-                                         {"volumetrics.slices", "64"}, {"volumetrics.prefix_scheme", "row"}};
+    const bench::Assignments settings = {{"shadows.resolution", "256"},
+                                         {"volumetrics.technique", "exact"},
+                                         {"volumetrics.columns", "64"},
+                                         {"volumetrics.slices", "64"},
+                                         {"volumetrics.prefix_scheme", "row"}};
     const auto frames = [&](int count) { ASSERT_TRUE((*stand)->render(settings, *camera, {32, 18}, 0, count, false)); };
     frames(10);
     // Some 14 MiB come and go, in one reading of a few: so two readings stand for each end.
@@ -220,7 +269,8 @@ TEST(Effects, FramesKeepNoMemory) {
       readings.push_back(held());
     }
     EXPECT_LT(std::min(readings[2], readings[3]) - std::min(readings[0], readings[1]), 8)
-        << name << ": MiB of 60 frames, of readings " << readings[0] << ' ' << readings[1] << ' ' << readings[2] << ' ' << readings[3];
+        << name << ": MiB of 60 frames, of readings " << readings[0] << ' ' << readings[1] << ' ' << readings[2] << ' '
+        << readings[3];
   }
 }
 

@@ -1,5 +1,5 @@
-// Each parameter against its neighbour value: it changes the picture if the technique says that it reads it for the picture, leaves it
-// if it is about speed only, and leaves it to the bit if the technique does not read it.
+// Each parameter against its neighbour value: it changes the picture if the technique says that it reads it for the
+// picture, leaves it if it is about speed only, and leaves it to the bit if the technique does not read it.
 #include <algorithm>
 #include <iterator>
 
@@ -11,7 +11,8 @@
 namespace tyndall::figures {
 namespace {
 
-const Settings kSmall = {"shadows.resolution=512", "volumetrics.columns=128", "volumetrics.slices=128", "volumetrics.prefix_scheme=row"};
+const Settings kSmall = {"shadows.resolution=512", "volumetrics.columns=128", "volumetrics.slices=128",
+                         "volumetrics.prefix_scheme=row"};
 
 enum class Change {
   kPicture,  ///< nRMSE above 1e-3
@@ -66,7 +67,12 @@ const Pair kPairs[] = {
     {"moments6", "overestimation", Change::kPicture, "half", "adaptive"},
     {"moments6", "precision", Change::kPicture, "compact", "standard"},
     {"moments6", "precision", Change::kPicture, "standard", "full"},
-    {"moments4", "precision", Change::kPicture, "compact", "standard", {"volumetrics.overestimation=half", "volumetrics.prefix_bounds=false"}},
+    {"moments4",
+     "precision",
+     Change::kPicture,
+     "compact",
+     "standard",
+     {"volumetrics.overestimation=half", "volumetrics.prefix_bounds=false"}},
     {"moments4", "precision", Change::kNothing, "standard", "full"},
     {"moments6", "reference_rays", Change::kPicture, "1", "3"},
     {"moments6", "reference_ray", Change::kPicture, "bisectrix", "mean", {"volumetrics.reference_rays=1"}},
@@ -124,18 +130,24 @@ TEST(Pairs, EachParameterChangesWhatItShould) {
         case Change::kNothing: EXPECT_EQ(a.scatter.values, b.scatter.values) << what; break;
       }
       // Nothing but the visibility of light depends on them: the transmittance to the surface stays.
-      for (std::size_t i = 3; i < a.scatter.values.size(); i += 4) ASSERT_EQ(a.scatter.values[i], b.scatter.values[i]) << what;
+      for (std::size_t i = 3; i < a.scatter.values.size(); i += 4)
+        ASSERT_EQ(a.scatter.values[i], b.scatter.values[i]) << what;
     }
   }
 }
 
 /// Another value of `parameter` than its default that is built.
 std::string another(const params::Parameter& p) {
-  if (p.type == params::Type::kFloat) return params::toText(p, p.defaultValue + 0.37 * ((p.defaultValue < (p.builtMin + p.builtMax) / 2 ? p.builtMax : p.builtMin) - p.defaultValue));
-  if (p.type == params::Type::kInt) return params::toText(p, p.defaultValue == p.builtMax ? p.builtMin : std::min(p.builtMax, p.defaultValue + 1));
+  if (p.type == params::Type::kFloat)
+    return params::toText(
+        p, p.defaultValue +
+               0.37 * ((p.defaultValue < (p.builtMin + p.builtMax) / 2 ? p.builtMax : p.builtMin) - p.defaultValue));
+  if (p.type == params::Type::kInt)
+    return params::toText(p, p.defaultValue == p.builtMax ? p.builtMin : std::min(p.builtMax, p.defaultValue + 1));
   const auto count = p.type == params::Type::kBool ? std::size_t{2} : p.choices.size();
   for (std::size_t i = 0; i < count; ++i)
-    if (static_cast<double>(i) != p.defaultValue && (p.built.empty() || p.built[i])) return params::toText(p, static_cast<double>(i));
+    if (static_cast<double>(i) != p.defaultValue && (p.built.empty() || p.built[i]))
+      return params::toText(p, static_cast<double>(i));
   return "";
 }
 

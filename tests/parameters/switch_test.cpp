@@ -1,6 +1,7 @@
-// rectification=auto: turning the camera until the light comes near the screen fades the projective map into the epipolar one. The picture
-// must not tell: at views within the fade, whatever a step of the turn does to the shares of the two maps, either way, raises the error against
-// the dense march by at most a tenth, and changes the picture less than the step of the turn does.
+// rectification=auto: turning the camera until the light comes near the screen fades the projective map into the
+// epipolar one. The picture must not tell: at views within the fade, whatever a step of the turn does to the shares of
+// the two maps, either way, raises the error against the dense march by at most a tenth, and changes the picture less
+// than the step of the turn does.
 #include <array>
 #include <cmath>
 
@@ -11,9 +12,10 @@
 namespace tyndall::figures {
 namespace {
 
-const Settings kCommon = {"shadows.resolution=4096", "volumetrics.splits=4", "volumetrics.basis_count=64", "volumetrics.columns=512", "volumetrics.slices=512",
-                          "volumetrics.prefix_scheme=row"};
-const Settings kSmall = {"shadows.resolution=256", "volumetrics.technique=min_max", "volumetrics.splits=4", "volumetrics.slices=64"};
+const Settings kCommon = {"shadows.resolution=4096", "volumetrics.splits=4",   "volumetrics.basis_count=64",
+                          "volumetrics.columns=512", "volumetrics.slices=512", "volumetrics.prefix_scheme=row"};
+const Settings kSmall = {"shadows.resolution=256", "volumetrics.technique=min_max", "volumetrics.splits=4",
+                         "volumetrics.slices=64"};
 constexpr double kStep = 0.25;  // degrees
 
 struct Turn {
@@ -28,18 +30,24 @@ void PrintTo(const Turn& turn, std::ostream* out) { *out << turn.level << turn.c
 /// a + share (b - a), RGB.
 image::FloatImage mixed(const image::FloatImage& a, const image::FloatImage& b, double share) {
   image::FloatImage result = a;
-  for (std::size_t i = 0; i < a.values.size(); ++i) result.values[i] += static_cast<float>(share * (b.values[i] - a.values[i]));
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    result.values[i] += static_cast<float>(share * (b.values[i] - a.values[i]));
   return result;
 }
 
-/// The share of the projective map in what `auto` shows, found from the pictures of both maps alone; the share depends on the view and the
-/// splits only. min_max has no parts: the map that stands in is an epipolar one of the columns of all splits.
+/// The share of the projective map in what `auto` shows, found from the pictures of both maps alone; the share depends
+/// on the view and the splits only. min_max has no parts: the map that stands in is an epipolar one of the columns of
+/// all splits.
 double shareAt(Laboratory& lab, double degrees) {
   lab.turn(degrees);
   const auto shoot = [&](const char* rectification, const char* columns) {
-    return lab.shoot(kSmall + Settings{std::string("volumetrics.rectification=") + rectification, std::string("volumetrics.columns=") + columns}).scatter;
+    return lab
+        .shoot(kSmall + Settings{std::string("volumetrics.rectification=") + rectification,
+                                 std::string("volumetrics.columns=") + columns})
+        .scatter;
   };
-  const image::FloatImage linear = shoot("linear", "64"), epipolar = shoot("epipolar", "256"), both = shoot("auto", "64");
+  const image::FloatImage linear = shoot("linear", "64"), epipolar = shoot("epipolar", "256"),
+                          both = shoot("auto", "64");
   double along = 0, whole = 0, off = 0;
   for (std::size_t i = 0; i < both.values.size(); ++i) {
     const double difference = double{linear.values[i]} - epipolar.values[i];
@@ -90,8 +98,9 @@ TEST_P(Switch, IsNotSeen) {
       const image::FloatImage both = lab.shoot(settings + Settings{"volumetrics.rectification=auto"}).scatter;
       const image::FloatImage linear = lab.shoot(settings + Settings{"volumetrics.rectification=linear"}).scatter;
       const double error = errorOf(both, reference).nRmse;
-      std::printf("%s %u at %.2f degrees, %s: share %.3f, before %.3f, after %.3f; nRMSE %.4f, linear alone %.4f", turn.level,
-                  turn.camera, at, technique, share, before, after, error, errorOf(linear, reference).nRmse);
+      std::printf("%s %u at %.2f degrees, %s: share %.3f, before %.3f, after %.3f; nRMSE %.4f, linear alone %.4f",
+                  turn.level, turn.camera, at, technique, share, before, after, error,
+                  errorOf(linear, reference).nRmse);
       for (const double other : {before, after}) {
         const image::FloatImage stepped = mixed(both, linear, (other - share) / (1 - share));
         const double steppedError = errorOf(stepped, reference).nRmse;
@@ -109,7 +118,8 @@ TEST_P(Switch, IsNotSeen) {
 const std::vector<double> kOffsets = {-1.5, 0, 1.5};
 const std::vector<const char*> kTechniques = {"fourier", "moments4", "moments6", "min_max", "exact"};
 INSTANTIATE_TEST_SUITE_P(EveryTurn, Switch,
-                         testing::Values(Turn{"hall", 0, 30, -40, kOffsets, kTechniques}, Turn{"hall", 0, -115, -70, kOffsets, kTechniques},
+                         testing::Values(Turn{"hall", 0, 30, -40, kOffsets, kTechniques},
+                                         Turn{"hall", 0, -115, -70, kOffsets, kTechniques},
                                          Turn{"forest", 0, 5, -60, kOffsets, kTechniques}));
 #else
 INSTANTIATE_TEST_SUITE_P(ATurn, Switch, testing::Values(Turn{"hall", 0, 30, -40, {-1}, {"fourier", "min_max"}}));

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kSigma = 0.03, kAlbedo = 0.9, kG = 0.5, kLux = 8;
 
-/// Radiance of a fully lit ray of length s that meets the sun's direction of travel at `cosine` (of view and towards-sun).
+/// Radiance of a fully lit ray of length s that meets the sun's direction of travel at `cosine` (of view and
+/// towards-sun).
 double lit(double s, double cosine) {
   const double d = 1 + kG * kG - 2 * kG * cosine;
   return kLux * kAlbedo * (1 - kG * kG) / (4 * std::numbers::pi * std::pow(d, 1.5)) * -std::expm1(-kSigma * s);
@@ -22,10 +23,11 @@ glm::dvec3 ray(int x, int y) {
 }
 
 const glm::vec3 kTravel{0.3f, -0.8f, -0.4f};
-const Arguments kEach[] = {{"volumetrics.technique=ray_march", "volumetrics.steps=1024"},
-                           {"volumetrics.technique=ray_march", "volumetrics.steps=1024", "volumetrics.march_spacing=distance"},
-                           {"volumetrics.technique=moments4", "volumetrics.reference_rays=1"},
-                           {"volumetrics.technique=moments6"}};
+const Arguments kEach[] = {
+    {"volumetrics.technique=ray_march", "volumetrics.steps=1024"},
+    {"volumetrics.technique=ray_march", "volumetrics.steps=1024", "volumetrics.march_spacing=distance"},
+    {"volumetrics.technique=moments4", "volumetrics.reference_rays=1"},
+    {"volumetrics.technique=moments6"}};
 
 using ClosedForm = QualityTest;
 
@@ -42,8 +44,9 @@ TEST_F(ClosedForm, AnEmptyLevelIsFullyLit) {
     }
   for (const Arguments& settings : kEach) {
     const image::FloatImage picture = scatter(level, settings);
-    // A prefiltered ray ends at the inclination of the very ground that ends it, where the bounds of the moments are widest and a
-    // shadow texel decides on which side the ground lies: 0.024 (moments4) and 0.019 (moments6) were measured.
+    // A prefiltered ray ends at the inclination of the very ground that ends it, where the bounds of the moments are
+    // widest and a shadow texel decides on which side the ground lies: 0.024 (moments4) and 0.019 (moments6) were
+    // measured.
     EXPECT_LT(nRmse(picture, expected), settings[0].ends_with("march") ? 0.002 : 0.03) << settings[0];
     for (std::size_t i = 3; i < picture.values.size(); i += 4) ASSERT_NEAR(picture.values[i], expected.values[i], 1e-4);
   }

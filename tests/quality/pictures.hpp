@@ -23,7 +23,8 @@ class QualityTest : public cli::CliTest {
   image::FloatImage read(const std::string& name) const;
 
   /// Writes a level with one sun and one camera, returns its file name.
-  std::string writeLevel(const std::string& name, const std::vector<scene::Primitive>& primitives, const glm::vec3& sunTravels) const;
+  std::string writeLevel(const std::string& name, const std::vector<scene::Primitive>& primitives,
+                         const glm::vec3& sunTravels) const;
 };
 
 /// nRMSE with respect to `reference`, over RGB.

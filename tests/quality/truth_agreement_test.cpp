@@ -1,4 +1,5 @@
-// The sample levels against the ray-traced truth, and the prefiltered techniques against the march. Figures are printed.
+// The sample levels against the ray-traced truth, and the prefiltered techniques against the march. Figures are
+// printed.
 #include "pictures.hpp"
 
 namespace tyndall::quality {
@@ -6,9 +7,9 @@ namespace {
 
 class OnLevel : public QualityTest, public ::testing::WithParamInterface<const char*> {};
 
-/// nRMSE of moments6, 1024x1024, one reference ray, against the march: what the method's approximation of the visibility and
-/// its single reference ray give on this level (docs/results/first_light.md explains both from their pictures). A quarter above
-/// the value measured, so that a regression shows.
+/// nRMSE of moments6, 1024x1024, one reference ray, against the march: what the method's approximation of the
+/// visibility and its single reference ray give on this level (docs/results/first_light.md explains both from their
+/// pictures). A quarter above the value measured, so that a regression shows.
 double momentsLimit(const std::string& level) { return level == "hall" ? 1.0 : 0.32; }
 
 TEST_P(OnLevel, MarchAgreesWithTheTruthAndMomentsStayWithinTheirMethod) {
@@ -44,7 +45,8 @@ TEST_P(OnLevel, MarchAgreesWithTheTruthAndMomentsStayWithinTheirMethod) {
   EXPECT_LT(six, four);
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, OnLevel, ::testing::Values("hall", "forest"), [](const auto& level) { return std::string(level.param); });
+INSTANTIATE_TEST_SUITE_P(Levels, OnLevel, ::testing::Values("hall", "forest"),
+                         [](const auto& level) { return std::string(level.param); });
 
 }  // namespace
 }  // namespace tyndall::quality

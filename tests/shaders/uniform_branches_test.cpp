@@ -1,7 +1,7 @@
-// No branch and no loop of a shader hangs on members of uniform blocks alone: lavapipe (Mesa 22.3, update_inline_shader_state() in lvp_execute.c)
-// would compile the shader anew for their values, at draws and dispatches. shaders/engine/include/opaque.glsl and
-// plugins/volumetrics/stages/opaque.glsl hide such conditions. Looked for here as that driver does, in the SPIR-V with functions inlined and local
-// variables gone.
+// No branch and no loop of a shader hangs on members of uniform blocks alone: lavapipe (Mesa 22.3,
+// update_inline_shader_state() in lvp_execute.c) would compile the shader anew for their values, at draws and
+// dispatches. shaders/engine/include/opaque.glsl and plugins/volumetrics/stages/opaque.glsl hide such conditions.
+// Looked for here as that driver does, in the SPIR-V with functions inlined and local variables gone.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -31,7 +31,8 @@ Words read(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::vector<char> bytes((std::istreambuf_iterator<char>(stream)), {});
   Words words(bytes.size() / 4);
-  std::copy(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(words.size() * 4), reinterpret_cast<char*>(words.data()));
+  std::copy(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(words.size() * 4),
+            reinterpret_cast<char*>(words.data()));
   return words;
 }
 
@@ -94,7 +95,8 @@ class Module {
       for (const std::size_t side : {0u, 1u}) {
         reads_.clear();
         if (at(compare.ids[side]).op != spv::OpPhi) continue;
-        if (const auto limit = onlyUniforms(compare.ids[1 - side], {}); limit && *limit) found.push_back("the length of a loop, " + reads());
+        if (const auto limit = onlyUniforms(compare.ids[1 - side], {}); limit && *limit)
+          found.push_back("the length of a loop, " + reads());
       }
     }
     return found;
@@ -107,7 +109,8 @@ class Module {
     return i == defined_.end() ? none : instructions_[i->second];
   }
   static bool isConstant(const Instruction& i) {
-    return (i.op >= spv::OpConstantTrue && i.op <= spv::OpConstantNull) || (i.op >= spv::OpSpecConstantTrue && i.op <= spv::OpSpecConstantOp);
+    return (i.op >= spv::OpConstantTrue && i.op <= spv::OpConstantNull) ||
+           (i.op >= spv::OpSpecConstantTrue && i.op <= spv::OpSpecConstantOp);
   }
 
   /// The uniform block of a pointer whose indices are constants, or 0.
@@ -123,7 +126,8 @@ class Module {
     return blockOf(i.ids[0]);
   }
 
-  /// Whether an expression reads uniform blocks; nothing if it reads something else too. A value that branches give it counts as what they give.
+  /// Whether an expression reads uniform blocks; nothing if it reads something else too. A value that branches give it
+  /// counts as what they give.
   std::optional<bool> onlyUniforms(std::uint32_t id, std::set<std::uint32_t> above) {
     const Instruction& i = at(id);
     if (isConstant(i)) return false;
@@ -133,8 +137,10 @@ class Module {
       reads_.insert(nameOf(i.ids[0]));
       return true;
     }
-    const bool plain = i.op == spv::OpPhi || i.op == spv::OpExtInst || (i.op >= spv::OpVectorExtractDynamic && i.op <= spv::OpTranspose) ||
-                       (i.op >= spv::OpConvertFToU && i.op <= spv::OpBitcast) || (i.op >= spv::OpSNegate && i.op <= spv::OpBitCount);
+    const bool plain = i.op == spv::OpPhi || i.op == spv::OpExtInst ||
+                       (i.op >= spv::OpVectorExtractDynamic && i.op <= spv::OpTranspose) ||
+                       (i.op >= spv::OpConvertFToU && i.op <= spv::OpBitcast) ||
+                       (i.op >= spv::OpSNegate && i.op <= spv::OpBitCount);
     if (!plain || i.ids.empty()) return std::nullopt;
     bool any = false;
     for (std::size_t k = i.op == spv::OpExtInst ? 1 : 0; k < i.ids.size(); k += i.op == spv::OpPhi ? 2 : 1) {
@@ -193,7 +199,8 @@ std::vector<std::string> branchesOf(const fs::path& file) {
 
 TEST(UniformBranches, AreFoundWhereTheyAre) {
   EXPECT_THAT(branchesOf(fs::path(TYNDALL_TEST_SHADERS) / "branches.comp.spv"),
-              testing::UnorderedElementsAre("a branch on Block.mode", "a branch on Block.range", "a branch on Block.table[2]", "the length of a loop, Block.count"));
+              testing::UnorderedElementsAre("a branch on Block.mode", "a branch on Block.range",
+                                            "a branch on Block.table[2]", "the length of a loop, Block.count"));
 }
 
 TEST(UniformBranches, NoShaderHasOne) {
@@ -202,7 +209,8 @@ TEST(UniformBranches, NoShaderHasOne) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(TYNDALL_BIN_DIR) / folder)) {
       if (entry.path().extension() != ".spv") continue;
       ++seen;
-      EXPECT_THAT(branchesOf(entry.path()), testing::IsEmpty()) << entry.path() << ": hide what it hangs on with opaque()";
+      EXPECT_THAT(branchesOf(entry.path()), testing::IsEmpty())
+          << entry.path() << ": hide what it hangs on with opaque()";
     }
   EXPECT_GT(seen, 30u);
 }

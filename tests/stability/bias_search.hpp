@@ -4,18 +4,19 @@
 #include <array>
 #include <cmath>
 
-#include "moment_storage.hpp"
 #include "distributions.hpp"
+#include "moment_storage.hpp"
 #include "report.hpp"
 
 namespace tyndall::stability {
 
-/// A bias of alpha mixes alpha of another distribution in, so exact bounds may miss the truth by alpha and by no more. A case counts
-/// as safe up to that and 1e-4 (a fortieth of a step of an 8-bit picture).
+/// A bias of alpha mixes alpha of another distribution in, so exact bounds may miss the truth by alpha and by no more.
+/// A case counts as safe up to that and 1e-4 (a fortieth of a step of an 8-bit picture).
 inline constexpr double kSlack = 1e-4;
 
-/// Violations at biases from 1/16 of the paper's to 64 times it, steps of the square root of two. A ladder and not a bisection: at
-/// too small a bias the worst violation jumps up and down, and "safe" must hold for every larger bias too.
+/// Violations at biases from 1/16 of the paper's to 64 times it, steps of the square root of two. A ladder and not a
+/// bisection: at too small a bias the worst violation jumps up and down, and "safe" must hold for every larger bias
+/// too.
 class BiasLadder {
  public:
   explicit BiasLadder(const Format& format) : format_(format) {
@@ -26,7 +27,8 @@ class BiasLadder {
     for (int i = kSteps - 1; i >= 0; --i) {
       const double low = visibility<float>(format_, texel, alpha_[i], zf, 0);
       const double high = visibility<float>(format_, texel, alpha_[i], zf, 1);
-      if (!(low - truth.high <= alpha_[i] + kSlack && truth.low - high <= alpha_[i] + kSlack)) safe_ = std::max(safe_, i + 1);
+      if (!(low - truth.high <= alpha_[i] + kSlack && truth.low - high <= alpha_[i] + kSlack))
+        safe_ = std::max(safe_, i + 1);
       if (i <= safe_) break;
     }
   }

@@ -18,9 +18,10 @@ class DeviceStress : public gpu::test::GpuTest {
     GpuTest::SetUp();
     gpu::ShaderFolder folder(std::filesystem::path(TYNDALL_STABILITY_SHADERS));
     auto shader = folder.get("maths.comp");
-      TY_EXPECT_OK(shader);
+    TY_EXPECT_OK(shader);
     auto made = createPipeline(
-        *device, gpu::ComputePipelineDesc{.name = "maths", .shader = *shader, .bindings = {{0}, {1}}, .pushConstantBytes = 4});
+        *device,
+        gpu::ComputePipelineDesc{.name = "maths", .shader = *shader, .bindings = {{0}, {1}}, .pushConstantBytes = 4});
     TY_EXPECT_OK(made);
     pipeline_.emplace(made.take());
     constexpr VkBufferUsageFlags kUsage =
@@ -86,8 +87,12 @@ TEST_F(DeviceStress, MomentsHoldTheirBounds) {
     const MomentStorage s = storageOf(format);
     Random random{11};
     Row row{.routine = format.moments == 4 ? "visibility4, device" : "visibility6, device",
-            .precision = format.name, .cases = shareOfCases(0.016), .error = 0, .violation = 0,
-            .paperBias = format.paper, .bias = static_cast<double>(s.bias)};
+            .precision = format.name,
+            .cases = shareOfCases(0.016),
+            .error = 0,
+            .violation = 0,
+            .paperBias = format.paper,
+            .bias = static_cast<double>(s.bias)};
     forCases<MomentCase>(
         row.cases,
         [&](MomentCase& c) {
@@ -99,8 +104,10 @@ TEST_F(DeviceStress, MomentsHoldTheirBounds) {
           c.truth = visibilityAt(blockers, c.zf);
           const Texel& t = c.texel;
           if (format.moments == 4)
-            return Record{kVisibility4, s.quantise, {t.four.x, t.four.y, t.four.z, t.four.w, s.bias, s.evenTarget, c.zf}};
-          return Record{kVisibility6, s.quantise, {t.odd.x, t.odd.y, t.odd.z, t.even.x, t.even.y, t.even.z, s.bias, c.zf}};
+            return Record{
+                kVisibility4, s.quantise, {t.four.x, t.four.y, t.four.z, t.four.w, s.bias, s.evenTarget, c.zf}};
+          return Record{
+              kVisibility6, s.quantise, {t.odd.x, t.odd.y, t.odd.z, t.even.x, t.even.y, t.even.z, s.bias, c.zf}};
         },
         [&](const MomentCase& c, const glm::vec4& got) {
           for (int side = 0; side < 2; ++side) {
@@ -108,7 +115,8 @@ TEST_F(DeviceStress, MomentsHoldTheirBounds) {
             const long double exact = visibility<long double>(format, c.texel, s.bias, c.zf, static_cast<float>(side));
             raise(row.error, static_cast<double>(std::abs(static_cast<long double>(got[side]) - exact)));
           }
-          raise(row.violation, std::max(static_cast<double>(got.x) - c.truth.high, c.truth.low - static_cast<double>(got.y)));
+          raise(row.violation,
+                std::max(static_cast<double>(got.x) - c.truth.high, c.truth.low - static_cast<double>(got.y)));
         });
     report(row);
     EXPECT_LT(row.violation, row.bias + kSlack) << format.name;
@@ -142,7 +150,8 @@ TEST_F(DeviceStress, FourierAgreesWithDirectSums) {
   forCases<glm::vec3>(
       row.cases,
       [&](glm::vec3& c) {
-        c = {static_cast<float>(random.next()), static_cast<float>(random.next()), static_cast<float>(4 + random.below(125))};
+        c = {static_cast<float>(random.next()), static_cast<float>(random.next()),
+             static_cast<float>(4 + random.below(125))};
         if (random.next() < 0.1) c.x = std::round(c.x);
         if (random.next() < 0.1) c.y = c.x;
         return Record{kFourier, 0, {c.x, c.y, c.z}};
@@ -150,7 +159,8 @@ TEST_F(DeviceStress, FourierAgreesWithDirectSums) {
       [&](const glm::vec3& c, const glm::vec4& got) {
         long double sum = 0.5L;
         for (int i = 0; i < static_cast<int>(c.z); ++i) {
-          const long double f = (2 * (i / 2) + 1) * 3.14159265358979323846L, x = f * static_cast<long double>(c.x), z = f * static_cast<long double>(c.y);
+          const long double f = (2 * (i / 2) + 1) * 3.14159265358979323846L, x = f * static_cast<long double>(c.x),
+                            z = f * static_cast<long double>(c.y);
           sum += 2 / f * (i % 2 == 0 ? std::sin(x) * std::cos(z) : -std::cos(x) * std::sin(z));
         }
         raise(row.error, static_cast<double>(std::abs(static_cast<long double>(got.x) - sum)));
@@ -177,7 +187,8 @@ TEST_F(DeviceStress, CompensatedAveragesForgetNothing) {
         raise(plain, std::abs(static_cast<double>(got.y) - truth));
       });
   report(row);
-  report({.routine = "average of 4096 columns, plain, device", .precision = "float", .cases = row.cases, .error = plain});
+  report(
+      {.routine = "average of 4096 columns, plain, device", .precision = "float", .cases = row.cases, .error = plain});
   EXPECT_LT(row.error, 1.2e-7);  // an ulp below 1
   EXPECT_GT(plain, 1e-6) << "the plain average has become exact: lostInSum() is no longer needed";
 }
@@ -186,7 +197,10 @@ TEST_F(DeviceStress, MediumAgreesWithLongDouble) {
   for (int r = 0; r < static_cast<int>(Routine::kCount); ++r) {
     const RoutineRow& about = kRoutines[static_cast<std::size_t>(r)];
     Random random{static_cast<std::uint64_t>(200 + r)};
-    Row row{.routine = std::string(about.name) + ", device", .precision = "float", .cases = shareOfCases(0.001), .error = 0};
+    Row row{.routine = std::string(about.name) + ", device",
+            .precision = "float",
+            .cases = shareOfCases(0.001),
+            .error = 0};
     MediumCase worst{};
     forCases<MediumCase>(
         row.cases,
@@ -195,15 +209,17 @@ TEST_F(DeviceStress, MediumAgreesWithLongDouble) {
           return Record{kMedium, r, {c.in[0], c.in[1], c.in[2], c.in[3]}};
         },
         [&](const MediumCase& c, const glm::vec4& got) {
-          ASSERT_TRUE(std::isfinite(got.x) && std::isfinite(got.y)) << about.name << " of " << c.in[0] << ' ' << c.in[1];
+          ASSERT_TRUE(std::isfinite(got.x) && std::isfinite(got.y))
+              << about.name << " of " << c.in[0] << ' ' << c.in[1];
           const double error = errorOf(c, {got.x, got.y});
           if (!(error <= row.error)) worst = c;
           raise(row.error, error);
         });
     report(row);
-    // A device's exp, log, division and atan err by several ulp where the CPU's err by half: ten times the CPU's tolerance
-    // (lavapipe needs 4.2 times, for atan).
-    EXPECT_LT(row.error, 10 * about.allowed) << about.name << " of " << worst.in[0] << ' ' << worst.in[1] << ' ' << worst.in[2];
+    // A device's exp, log, division and atan err by several ulp where the CPU's err by half: ten times the CPU's
+    // tolerance (lavapipe needs 4.2 times, for atan).
+    EXPECT_LT(row.error, 10 * about.allowed)
+        << about.name << " of " << worst.in[0] << ' ' << worst.in[1] << ' ' << worst.in[2];
   }
 }
 

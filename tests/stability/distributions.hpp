@@ -34,8 +34,8 @@ inline Blockers makeBlockers(Random& random) {
 /// A ray's depth on a blocker, within 1e-4 to 1e-8 of one, between two, anywhere, at an end, or beyond all of them.
 float rayDepth(Random& random, const std::vector<float>& z);
 
-/// Visibility at a depth: the share strictly beyond it, and the share at or beyond it. A blocker at the ray's own depth may
-/// count as either.
+/// Visibility at a depth: the share strictly beyond it, and the share at or beyond it. A blocker at the ray's own depth
+/// may count as either.
 struct Truth {
   double low = 0, high = 0;
 };

@@ -1,5 +1,6 @@
-// The Fourier basis under stress: the recurrences in float against long double direct sums, at every precision of storage, for 4 to 128
-// functions; and the reconstruction against the truth within the proven bound of the truncated series.
+// The Fourier basis under stress: the recurrences in float against long double direct sums, at every precision of
+// storage, for 4 to 128 functions; and the reconstruction against the truth within the proven bound of the truncated
+// series.
 #include <gtest/gtest.h>
 
 #include "distributions.hpp"
@@ -44,7 +45,8 @@ Real evaluate(const Basis& basis, float zf, int count) {
     const auto second = fourierNext(phase, turn);
     // fourierMask() has no number of type Real among its arguments: its values are exact in float.
     const glm::vec<4, Real> mask(lib::f32::fourierMask(layer, count));
-    sum += dot(fourierCoefficients(phase, second, layer) * mask, glm::vec<4, Real>(basis[static_cast<std::size_t>(layer)]));
+    sum += dot(fourierCoefficients(phase, second, layer) * mask,
+               glm::vec<4, Real>(basis[static_cast<std::size_t>(layer)]));
     phase = fourierNext(second, turn);
   }
   return sum;
@@ -56,13 +58,16 @@ long double direct(const Basis& basis, float zf, int count) {
   for (int i = 0; i < count; ++i) {
     const long double c = (2 * (i / 2) + 1) * kPi;
     const long double value = basis[static_cast<std::size_t>(i / 4)][i % 4];
-    sum += 2 / c * (i % 2 == 0 ? std::cos(c * static_cast<long double>(zf)) : -std::sin(c * static_cast<long double>(zf))) * value;
+    sum += 2 / c *
+           (i % 2 == 0 ? std::cos(c * static_cast<long double>(zf)) : -std::sin(c * static_cast<long double>(zf))) *
+           value;
   }
   return sum;
 }
 
-/// Bound of |series - step| at distance x between ray and blocker, for count / 2 = m frequencies: the rest of sum sin((2k+1) t) /
-/// (2k+1), t = pi x, is at most 1 / ((2m+1) sin t) by Abel summation; near the step 1/2 and beside it Gibbs' overshoot, 0.09.
+/// Bound of |series - step| at distance x between ray and blocker, for count / 2 = m frequencies: the rest of sum
+/// sin((2k+1) t) / (2k+1), t = pi x, is at most 1 / ((2m+1) sin t) by Abel summation; near the step 1/2 and beside it
+/// Gibbs' overshoot, 0.09.
 double seriesBound(double x, int count) {
   const double sine = std::sin(3.14159265358979 * std::abs(x));
   const double far = sine > 0 ? 2 / 3.14159265358979 / ((count + 1) * sine) : 1;
@@ -82,7 +87,12 @@ TEST_P(FourierStress, AgreesWithDirectSumsAndTheSeriesBound) {
   const int bits = GetParam().bits;
   const double halfStep = bits == 0 ? 0 : 1.0 / ((1 << bits) - 1);  // of a value in [-1, 1]
   Random random{3};
-  Row row{.routine = "fourier 4 to 128", .precision = GetParam().name, .cases = shareOfCases(0.02), .error = 0, .doubleError = 0, .violation = 0};
+  Row row{.routine = "fourier 4 to 128",
+          .precision = GetParam().name,
+          .cases = shareOfCases(0.02),
+          .error = 0,
+          .doubleError = 0,
+          .violation = 0};
   for (std::uint64_t i = 0; i < row.cases; ++i) {
     const int count = 4 * static_cast<int>(random.decades(1, 32.99));
     Blockers blockers = makeBlockers(random);
@@ -94,7 +104,8 @@ TEST_P(FourierStress, AgreesWithDirectSumsAndTheSeriesBound) {
     double bound = 0;
     for (std::size_t b = 0; b < blockers.z.size(); ++b) {
       const Basis basis = basisAt(blockers.z[b], (count + 3) / 4, group);
-      for (std::size_t layer = 0; layer < basis.size(); ++layer) mean[layer] += glm::dvec4(basis[layer]) * blockers.share[b];
+      for (std::size_t layer = 0; layer < basis.size(); ++layer)
+        mean[layer] += glm::dvec4(basis[layer]) * blockers.share[b];
       bound += blockers.share[b] * seriesBound(static_cast<double>(blockers.z[b]) - static_cast<double>(zf), count);
     }
     Basis basis{};
@@ -112,14 +123,16 @@ TEST_P(FourierStress, AgreesWithDirectSumsAndTheSeriesBound) {
     const float sum = evaluate<float>(basis, zf, count);
     ASSERT_TRUE(std::isfinite(sum));
     raise(row.error, static_cast<double>(std::abs(static_cast<long double>(sum) - exact)));
-    raise(row.doubleError, static_cast<double>(std::abs(static_cast<long double>(evaluate<double>(basis, zf, count)) - exact)));
+    raise(row.doubleError,
+          static_cast<double>(std::abs(static_cast<long double>(evaluate<double>(basis, zf, count)) - exact)));
     const double clamped = std::min(std::max(static_cast<double>(sum), 0.0), 1.0);
     const Truth truth = visibilityAt(blockers, zf);
     const double off = std::max({0.0, truth.low - clamped, clamped - truth.high});
     raise(row.violation, off - bound - storage);
   }
   report(row);
-  // 6e-5: 64 frequencies by recurrence, each product rounding by 1.2e-7 (grows with the frequency), times 2/c, summed; measured 2e-5.
+  // 6e-5: 64 frequencies by recurrence, each product rounding by 1.2e-7 (grows with the frequency), times 2/c, summed;
+  // measured 2e-5.
   EXPECT_LT(row.error, 6e-5);
   EXPECT_LT(row.doubleError, 2e-13);
   EXPECT_LT(row.violation, 6e-5) << "beyond the proven bound of the truncated series and the storage";
@@ -127,14 +140,17 @@ TEST_P(FourierStress, AgreesWithDirectSumsAndTheSeriesBound) {
 
 INSTANTIATE_TEST_SUITE_P(EveryPrecision, FourierStress,
                          testing::Values(Precisions{"float", 0}, Precisions{"16 bit", 16}, Precisions{"8 bit", 8}),
-                         [](const auto& given) { return "Bits" + std::to_string(given.param.bits == 0 ? 32 : given.param.bits); });
+                         [](const auto& given) {
+                           return "Bits" + std::to_string(given.param.bits == 0 ? 32 : given.param.bits);
+                         });
 
 // A phase of the recurrence against the sine and cosine themselves, over all 64 frequencies in one run.
 TEST(Stability, FourierPhasesStayAccurate) {
   Random random{4};
   Row row{.routine = "fourierNext, 64 frequencies", .precision = "float", .cases = shareOfCases(0.01), .error = 0};
   for (std::uint64_t i = 0; i < row.cases; ++i) {
-    const float z = random.next() < 0.1 ? std::round(static_cast<float>(random.next())) : static_cast<float>(random.next());
+    const float z =
+        random.next() < 0.1 ? std::round(static_cast<float>(random.next())) : static_cast<float>(random.next());
     const int frequency = random.below(64);
     glm::vec2 phase = lib::f32::fourierStart(z, 0);
     const glm::vec2 turn = lib::f32::fourierTurn(z);
@@ -175,7 +191,8 @@ TEST(Stability, FourierPrefixLosesLessThanSixteenBits) {
     });
   }
   report(row);
-  // Standing still at half an ulp over 4096 columns: at most 2^-25 * 4096 = 1.2e-4 of a value up to 1; 8 bits resolve 4e-3.
+  // Standing still at half an ulp over 4096 columns: at most 2^-25 * 4096 = 1.2e-4 of a value up to 1; 8 bits resolve
+  // 4e-3.
   EXPECT_LT(row.error, 1.3e-4);
 }
 

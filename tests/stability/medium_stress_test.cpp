@@ -25,8 +25,8 @@ TEST_P(MediumStress, FloatAgreesWithLongDouble) {
     raise(row.error, error);
   }
   report(row);
-  EXPECT_LT(row.error, about.allowed) << about.name << " of " << worst.in[0] << ' ' << worst.in[1] << ' ' << worst.in[2] << ' '
-                                      << worst.in[3];
+  EXPECT_LT(row.error, about.allowed) << about.name << " of " << worst.in[0] << ' ' << worst.in[1] << ' ' << worst.in[2]
+                                      << ' ' << worst.in[3];
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryRoutine, MediumStress, testing::Range(0, static_cast<int>(Routine::kCount)));
@@ -44,7 +44,8 @@ TEST(Stability, PrefixWeightsDriftLittle) {
       const long double depth = x * static_cast<long double>(column);
       if (depth > 60) break;  // e^-60: nothing is left
       const long double truth = std::exp(-depth) * (x == 0 ? 1 : -std::expm1(-x) / x);
-      raise(row.error, static_cast<double>(std::abs(static_cast<long double>(weights[column]) / truth - 1) / (1 + depth)));
+      raise(row.error,
+            static_cast<double>(std::abs(static_cast<long double>(weights[column]) / truth - 1) / (1 + depth)));
       ++row.cases;
     }
   }

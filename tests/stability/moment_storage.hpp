@@ -26,7 +26,9 @@ inline constexpr std::array kFormats = {
     Format{"4x16 bit", 4, Precision::kCompact, 6e-5}, Format{"4x32 float", 4, Precision::kFull, 3e-7},
     Format{"6x10 bit", 6, Precision::kCompact, 4e-3}, Format{"6x16 bit", 6, Precision::kStandard, 8e-5},
     Format{"6x32 float", 6, Precision::kFull, 5e-6}};
-inline MomentStorage storageOf(const Format& format) { return volumetrics::momentStorage(format.moments, format.precision); }
+inline MomentStorage storageOf(const Format& format) {
+  return volumetrics::momentStorage(format.moments, format.precision);
+}
 
 /// What the images return for one texel.
 struct Texel {

@@ -1,5 +1,5 @@
-// Bounds of visibility from four and six moments under stress: stored at every precision, evaluated in float, double and long
-// double, with moments that are exact and moments from the running average of a prefix.
+// Bounds of visibility from four and six moments under stress: stored at every precision, evaluated in float, double
+// and long double, with moments that are exact and moments from the running average of a prefix.
 #include <gtest/gtest.h>
 
 #include "bias_search.hpp"
@@ -83,7 +83,8 @@ TEST_P(MomentsStress, ExactMomentsHoldTheirBounds) {
       const float t = static_cast<float>(random.below(257)) / 256;
       texel = filtered(texel, stored(format, rounded(momentsOf(other))), t);
       const Truth beyond = visibilityAt(other, zf);
-      truth = {glm::mix(truth.low, beyond.low, static_cast<double>(t)), glm::mix(truth.high, beyond.high, static_cast<double>(t))};
+      truth = {glm::mix(truth.low, beyond.low, static_cast<double>(t)),
+               glm::mix(truth.high, beyond.high, static_cast<double>(t))};
     }
     worst.add(texel, zf, truth);
     if (HasFatalFailure()) return;
@@ -117,7 +118,8 @@ Row prefixRow(const Format& format, Average how, const char* what) {
     else
       runningAverage<2>(weights, how == Average::kCompensated, powers, keep);
     for (int s = 0; s < samples; ++s) {
-      const auto column = static_cast<std::size_t>(s == 0 ? columns - 1 : static_cast<int>(random.decades(1, columns)) - 1);
+      const auto column =
+          static_cast<std::size_t>(s == 0 ? columns - 1 : static_cast<int>(random.decades(1, columns)) - 1);
       const Blockers blockers = blockersOf(row, weights, column + 1);
       const float zf = rayDepth(random, blockers.z);
       worst.add(stored(format, averages[column]), zf, visibilityAt(blockers, zf));
@@ -126,12 +128,16 @@ Row prefixRow(const Format& format, Average how, const char* what) {
   return worst.row(routineOf(format, what));
 }
 
-TEST_P(MomentsStress, CompensatedPrefixHoldsItsBounds) { expectSafe(prefixRow(GetParam(), Average::kCompensated, "compensated prefix")); }
+TEST_P(MomentsStress, CompensatedPrefixHoldsItsBounds) {
+  expectSafe(prefixRow(GetParam(), Average::kCompensated, "compensated prefix"));
+}
 
-TEST_P(MomentsStress, ScannedPrefixHoldsItsBounds) { expectSafe(prefixRow(GetParam(), Average::kScanned, "compensated prefix by scan")); }
+TEST_P(MomentsStress, ScannedPrefixHoldsItsBounds) {
+  expectSafe(prefixRow(GetParam(), Average::kScanned, "compensated prefix by scan"));
+}
 
-// Why the averages need lostInSum(): the same without it. Finite and in [0, 1] all the same; the 10-bit format, whose bias
-// outweighs the rounding, stays safe.
+// Why the averages need lostInSum(): the same without it. Finite and in [0, 1] all the same; the 10-bit format, whose
+// bias outweighs the rounding, stays safe.
 TEST_P(MomentsStress, PlainPrefixStaysInRange) {
   const Row row = prefixRow(GetParam(), Average::kPlain, "plain prefix");
   report(row);
@@ -144,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(EveryFormat, MomentsStress, testing::ValuesIn(kFormats)
   return (given.param.moments == 4 ? "Four" : "Six") +
          std::string(given.param.precision == Precision::kCompact    ? "Compact"
                      : given.param.precision == Precision::kStandard ? "Standard"
-                                                                    : "Full");
+                                                                     : "Full");
 });
 
 }  // namespace

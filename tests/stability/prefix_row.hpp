@@ -10,21 +10,22 @@
 
 namespace tyndall::stability {
 
-/// One row of a rectified map: normalised depths in [0, 1] as stored (16-bit or float), and the optical depth of a column.
+/// One row of a rectified map: normalised depths in [0, 1] as stored (16-bit or float), and the optical depth of a
+/// column.
 struct MapRow {
   std::vector<float> depth;
   float opticalDepth = 0;
 };
 
-/// `columns` depths: drawn from a distribution, drifting, in runs, or one outlier before a constant rest (which a running average
-/// forgets last). `bits`: 16, or 32 for float.
+/// `columns` depths: drawn from a distribution, drifting, in runs, or one outlier before a constant rest (which a
+/// running average forgets last). `bits`: 16, or 32 for float.
 MapRow makeRow(Random& random, int columns, int bits);
 
 /// The weight of each column relative to its segment, exactly as the shader's floats make it.
 std::vector<float> columnWeights(const MapRow& row);
 
-/// Running averages of vectors (`make(column)`) by the recurrence of prefix.glsl in float: plain, or with what rounding loses carried
-/// on (shaders/lib/average.glsl). `visit(column, average)` is called for every column.
+/// Running averages of vectors (`make(column)`) by the recurrence of prefix.glsl in float: plain, or with what rounding
+/// loses carried on (shaders/lib/average.glsl). `visit(column, average)` is called for every column.
 template <std::size_t N, class Make, class Visit>
 void runningAverage(const std::vector<float>& weights, bool compensated, Make&& make, Visit&& visit) {
   std::array<glm::vec4, N> average{}, rest{};
@@ -42,8 +43,8 @@ void runningAverage(const std::vector<float>& weights, bool compensated, Make&& 
   }
 }
 
-/// The same by the workgroup scan: `runs` runs of columns are averaged each on its own, and every run starts from the join of the averages
-/// before it.
+/// The same by the workgroup scan: `runs` runs of columns are averaged each on its own, and every run starts from the
+/// join of the averages before it.
 template <std::size_t N, class Make, class Visit>
 void scannedAverage(const std::vector<float>& weights, std::size_t runs, Make&& make, Visit&& visit) {
   using Vectors = std::array<glm::vec4, N>;
@@ -75,7 +76,8 @@ void scannedAverage(const std::vector<float>& weights, std::size_t runs, Make&& 
   }
 }
 
-/// Blockers of the first `count` columns, z = 2 depth - 1 as the shader computes it, with the shares that the weights give.
+/// Blockers of the first `count` columns, z = 2 depth - 1 as the shader computes it, with the shares that the weights
+/// give.
 Blockers blockersOf(const MapRow& row, const std::vector<float>& weights, std::size_t count);
 
 }  // namespace tyndall::stability

@@ -25,8 +25,9 @@ class Table : public testing::Environment {
  public:
   void TearDown() override {
     if (rows().empty()) return;
-    std::printf("| routine | precision | cases | worst error vs long double | the same of double | worst bound violation | "
-                "smallest safe bias found | paper's bias | ours |\n|---|---|---|---|---|---|---|---|---|\n");
+    std::printf(
+        "| routine | precision | cases | worst error vs long double | the same of double | worst bound violation | "
+        "smallest safe bias found | paper's bias | ours |\n|---|---|---|---|---|---|---|---|---|\n");
     for (const Row& row : rows())
       std::printf("| %s | %s | %llu | %s | %s | %s | %s | %s | %s |\n", row.routine.c_str(), row.precision.c_str(),
                   static_cast<unsigned long long>(row.cases), text(row.error).c_str(), text(row.doubleError).c_str(),
@@ -46,7 +47,8 @@ std::uint64_t stressCases() {
   char* end = nullptr;
   const unsigned long long cases = std::strtoull(wanted, &end, 10);
   if (*end != 0 || cases < 1000) {
-    std::fprintf(stderr, "TYNDALL_STRESS_CASES: \"%s\" is not a number of cases; give a whole number from 1000 on\n", wanted);
+    std::fprintf(stderr, "TYNDALL_STRESS_CASES: \"%s\" is not a number of cases; give a whole number from 1000 on\n",
+                 wanted);
     std::exit(2);
   }
   return cases;

@@ -47,7 +47,10 @@ TEST(Stability, TwoDepthsKeepTheMoments) {
 
 TEST(Stability, TwoDepthsFindTwoSurfaces) {
   Random random{7};
-  Row row{.routine = "twoDepths, depth x share of two surfaces", .precision = "float", .cases = shareOfCases(0.04), .error = 0};
+  Row row{.routine = "twoDepths, depth x share of two surfaces",
+          .precision = "float",
+          .cases = shareOfCases(0.04),
+          .error = 0};
   for (std::uint64_t i = 0; i < row.cases; ++i) {
     double low = random.between(-1, 1), high = random.between(-1, 1);
     if (low > high) std::swap(low, high);

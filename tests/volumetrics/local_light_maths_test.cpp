@@ -1,4 +1,5 @@
-// What part of a ray a spot or point light reaches, and angles at the light: against sampling and against higher precision.
+// What part of a ray a spot or point light reaches, and angles at the light: against sampling and against higher
+// precision.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -67,9 +68,10 @@ TEST(LocalLightMaths, ReachedPartIsWhatTheConeAndRangeHold) {
     const Case c = random(source);
     const double end = 12;
     const f64::Real2 whole(-c.closest, end - c.closest);
-    const f64::Real2 part = f64::clipToCone(f64::clipToRange(whole, c.pass, c.range), c.pass, c.along, c.across, c.cosOuter);
-    const f32::Real2 rough = f32::clipToCone(f32::clipToRange(f32::Real2(whole), float(c.pass), float(c.range)), float(c.pass),
-                                             float(c.along), float(c.across), float(c.cosOuter));
+    const f64::Real2 part =
+        f64::clipToCone(f64::clipToRange(whole, c.pass, c.range), c.pass, c.along, c.across, c.cosOuter);
+    const f32::Real2 rough = f32::clipToCone(f32::clipToRange(f32::Real2(whole), float(c.pass), float(c.range)),
+                                             float(c.pass), float(c.along), float(c.across), float(c.cosOuter));
     for (int k = 0; k < 50; ++k) {
       const double t = end * (k + 0.5) / 50, s = t - c.closest;
       const glm::dvec3 w = t * c.direction - c.light;
@@ -111,7 +113,8 @@ TEST(LocalLightMaths, SpecialRaysThroughACone) {
   EXPECT_NEAR(part.y, s / c, 1e-12);
   part = f64::clipToCone(whole, 1, 0, -1, c);
   EXPECT_GE(part.x, part.y);
-  // Parallel to the side (along = cos), met once, and everything ahead (behind) is inside; on the other side of the light, never.
+  // Parallel to the side (along = cos), met once, and everything ahead (behind) is inside; on the other side of the
+  // light, never.
   part = f64::clipToCone(whole, 1, c, s, c);
   EXPECT_NEAR(part.x, 1 / std::tan(1.0), 1e-12);
   EXPECT_EQ(part.y, 10);
@@ -129,9 +132,11 @@ TEST(LocalLightMaths, AnglesKeepTheirDigits) {
     for (float from : {-900.0f, -50.0f, -0.01f, 0.0f, 3.0f, 100.0f})
       for (float length : {0.01f, 1.0f, 500.0f}) {
         const float to = from + length;
-        const auto exact = static_cast<double>(std::atan2(static_cast<long double>(to), pass) - std::atan2(static_cast<long double>(from), pass));
+        const auto exact = static_cast<double>(std::atan2(static_cast<long double>(to), pass) -
+                                               std::atan2(static_cast<long double>(from), pass));
         // The pole is where the light is passed at a distance that rounding of `to` can exceed.
-        EXPECT_NEAR(f32::angleBetween(pass, from, to), exact, 2e-6 * exact + 1e-7 * std::abs(from) / pass * exact) << pass << ' ' << from << ' ' << to;
+        EXPECT_NEAR(f32::angleBetween(pass, from, to), exact, 2e-6 * exact + 1e-7 * std::abs(from) / pass * exact)
+            << pass << ' ' << from << ' ' << to;
       }
   for (float angle : {-0.2f, 1e-6f, 0.003f, 0.1f, 0.2499f, 0.2501f, 1.0f, 3.1f}) {
     const f32::Real2 turn = f32::turnBy(angle);

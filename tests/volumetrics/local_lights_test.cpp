@@ -27,7 +27,8 @@ TyLight spotLight(const glm::vec3& position, const glm::vec3& direction, float o
   TyLight light{};
   light.struct_size = sizeof(light);
   light.kind = TY_LIGHT_SPOT;
-  for (int i = 0; i < 3; ++i) light.position[i] = position[i], light.direction[i] = direction[i], light.radiance[i] = 10;
+  for (int i = 0; i < 3; ++i)
+    light.position[i] = position[i], light.direction[i] = direction[i], light.radiance[i] = 10;
   light.range = range;
   light.cos_inner = std::cos(0.5f * outer);
   light.cos_outer = std::cos(outer);
@@ -125,7 +126,8 @@ struct Frame : testing::Test {
     frame.light_count = static_cast<std::uint32_t>(lights.size());
     frame.values = values.data();
     frame.value_count = count;
-    const TyUniformData out{sizeof(TyUniformData), layout->uniform_count, data.data(), strides.data(), skip.data(), stride};
+    const TyUniformData out{sizeof(TyUniformData), layout->uniform_count, data.data(),
+                            strides.data(),        skip.data(),           stride};
     ASSERT_TRUE(tyndall_plugin.prepare(instance, &frame, &out));
   }
   const TyPass* pass(const std::string& name) const {
@@ -146,7 +148,8 @@ const glm::vec3 kAhead{0, 0, -5}, kBehind{0, 0, 30}, kAway{0, 0, 1};
 TEST(LocalLights, BlockIsRelativeToTheEye) {
   const glm::vec3 eye(1000, 20, -3000);
   TyLight light = spotLight({1003, 22, -3001}, {0, -1, 0}, 0.6f, 7);
-  const glm::mat4 clip = glm::perspective(1.2f, 1.0f, 0.1f, 9.0f) * glm::lookAt(glm::vec3(1003, 22, -3001), glm::vec3(1003, 0, -3001), glm::vec3(1, 0, 0));
+  const glm::mat4 clip = glm::perspective(1.2f, 1.0f, 0.1f, 9.0f) *
+                         glm::lookAt(glm::vec3(1003, 22, -3001), glm::vec3(1003, 0, -3001), glm::vec3(1, 0, 0));
   std::memcpy(light.shadow_clip_from_world[0], &clip[0][0], sizeof clip);
   const LocalBlock block = localBlock(light, eye);
   EXPECT_EQ(block.position, glm::vec3(3, 2, -1));
@@ -158,7 +161,9 @@ TEST(LocalLights, BlockIsRelativeToTheEye) {
   EXPECT_NEAR(glm::dot(block.faceY[0], w) / along, h.y / h.w, 1e-4);
   EXPECT_NEAR(block.depthScale - block.depthOffset / along, h.z / h.w, 1e-5);
   // Cone: 1 up to the inner angle, 0 from the outer one.
-  const auto cone = [&](float angle) { return std::clamp(std::cos(angle) * block.coneScale + block.coneOffset, 0.0f, 1.0f); };
+  const auto cone = [&](float angle) {
+    return std::clamp(std::cos(angle) * block.coneScale + block.coneOffset, 0.0f, 1.0f);
+  };
   EXPECT_NEAR(cone(0.3f), 1, 1e-5);
   EXPECT_NEAR(cone(0.6f), 0, 1e-5);
   light.kind = TY_LIGHT_POINT;
@@ -175,14 +180,16 @@ TEST(LocalLights, ReachesViewAgreesWithSampledRays) {
   int unreached = 0, leftOut = 0;
   for (int i = 0; i < 3000; ++i) {
     const RayBlock rays = frustum(2.0f * vector(), vector(), 5 + 30 * uniform(source));
-    TyLight light = spotLight(8.0f * vector(), glm::normalize(vector()), 0.05f + 1.5f * uniform(source), uniform(source) < 0.3f ? 0 : 8 * uniform(source));
+    TyLight light = spotLight(8.0f * vector(), glm::normalize(vector()), 0.05f + 1.5f * uniform(source),
+                              uniform(source) < 0.3f ? 0 : 8 * uniform(source));
     if (uniform(source) < 0.4f) light.kind = TY_LIGHT_POINT;
     const LocalBlock block = localBlock(light, rays.eye);
     bool met = false;
     for (int k = 0; k < 3000 && !met; ++k) {
       const float x = 2 * uniform(source) - 1, y = 2 * uniform(source) - 1, t = rays.zfar * uniform(source);
       const glm::vec3 w = t * (rays.forward + x * rays.right + y * rays.up) - block.position;
-      met = tyndall::lib::f32::localAttenuation(glm::dot(w, w), block.range, glm::dot(w, block.axis) / glm::length(w), block.coneScale, block.coneOffset) > 0;
+      met = tyndall::lib::f32::localAttenuation(glm::dot(w, w), block.range, glm::dot(w, block.axis) / glm::length(w),
+                                                block.coneScale, block.coneOffset) > 0;
     }
     const bool reaches = reachesView(block, rays);
     EXPECT_TRUE(reaches || !met) << i;
@@ -239,8 +246,9 @@ TEST_F(Frame, ALightThatReachesNoViewRayCostsNoPass) {
 TEST_F(Frame, ACookieCostsOnlyWhereALightHasOne) {
   const auto cookieOf = [&](const std::string& name) {
     const TyPass& march = *pass(name);
-    const std::uint32_t bound = static_cast<std::uint32_t>(std::count_if(
-        march.bindings, march.bindings + march.binding_count, [](const TyBinding& b) { return b.source == TY_SOURCE_LIGHT_COOKIE; }));
+    const std::uint32_t bound = static_cast<std::uint32_t>(
+        std::count_if(march.bindings, march.bindings + march.binding_count,
+                      [](const TyBinding& b) { return b.source == TY_SOURCE_LIGHT_COOKIE; }));
     for (std::uint32_t i = 0; i < march.specialization_count; ++i)
       if (march.specializations[i].id == 1) {
         EXPECT_EQ(march.specializations[i].value, bound) << name;
@@ -249,7 +257,8 @@ TEST_F(Frame, ACookieCostsOnlyWhereALightHasOne) {
   };
   for (const bool sun : {false, true})
     for (const bool point : {false, true}) {
-      ask({TY_LIGHT_DIRECTIONAL, TY_LIGHT_DIRECTIONAL, TY_LIGHT_SPOT, TY_LIGHT_POINT}, {0, sun ? 1u : 0u, 0, point ? 6u : 0u});
+      ask({TY_LIGHT_DIRECTIONAL, TY_LIGHT_DIRECTIONAL, TY_LIGHT_SPOT, TY_LIGHT_POINT},
+          {0, sun ? 1u : 0u, 0, point ? 6u : 0u});
       for (const char* name : {"march", "debug dense march"}) EXPECT_EQ(cookieOf(name), sun) << name;
       for (const char* name : {"march local", "debug dense march local"}) EXPECT_EQ(cookieOf(name), point) << name;
     }

@@ -1,5 +1,6 @@
-// Rows of spot and point lights: the change of variables from distance to angle at the light, the interval of a cone in a slice, and the share
-// of the screen that decides how large a further light's map is, each against a plain computation.
+// Rows of spot and point lights: the change of variables from distance to angle at the light, the interval of a cone in
+// a slice, and the share of the screen that decides how large a further light's map is, each against a plain
+// computation.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,7 +16,8 @@ namespace {
 using namespace tyndall::lib;
 constexpr double kPi = std::numbers::pi;
 
-// In-scattering by distance, from its definition: p exp(-sigma (t + d))/d^2 and the window of the range, by a fine midpoint rule in t.
+// In-scattering by distance, from its definition: p exp(-sigma (t + d))/d^2 and the window of the range, by a fine
+// midpoint rule in t.
 double byDistance(double theta, double D, double sigma, double g, double range, double end) {
   constexpr int kSteps = 400'000;
   double sum = 0;
@@ -91,7 +93,8 @@ TEST(LocalRow, ScreenShareIsThatOfTheProjectedRange) {
       }
     low = glm::clamp(low, -1.0f, 1.0f), high = glm::clamp(high, -1.0f, 1.0f);
     const double expected = std::max(1e-6f, (high.x - low.x) * (high.y - low.y) / 4);
-    EXPECT_NEAR(volumetrics::screenShare(light, rays), expected, 0.01) << light.position.x << ' ' << light.position.y << ' ' << light.position.z;
+    EXPECT_NEAR(volumetrics::screenShare(light, rays), expected, 0.01)
+        << light.position.x << ' ' << light.position.y << ' ' << light.position.z;
   }
   volumetrics::LocalBlock around{};
   around.position = {0, 0, -1};

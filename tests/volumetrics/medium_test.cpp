@@ -34,13 +34,15 @@ TEST(Medium, TransmittanceIntegralMatchesTheMidpointRule) {
         double sum = 0;
         const int n = 20000;
         for (int i = 0; i < n; ++i) sum += std::exp(-sigma * (a + length * (i + 0.5) / n)) * length / n;
-        EXPECT_NEAR(f64::transmittanceIntegral(sigma, a, a + length), sum, 2e-3 * sum + 1e-300) << sigma << ' ' << a << ' ' << length;
+        EXPECT_NEAR(f64::transmittanceIntegral(sigma, a, a + length), sum, 2e-3 * sum + 1e-300)
+            << sigma << ' ' << a << ' ' << length;
         // Exactly, by expm1.
         const double exact = sigma == 0 ? length : -std::expm1(-sigma * length) / sigma * std::exp(-sigma * a);
         const double rounded = f64::transmittanceIntegral(sigma, a, a + length);
         EXPECT_NEAR(rounded / exact, 1, 1e-8) << sigma << ' ' << a << ' ' << length;
         if (sigma * (a + length) < 50) {
-          const float s = static_cast<float>(sigma), from = static_cast<float>(a), to = from + static_cast<float>(length);
+          const float s = static_cast<float>(sigma), from = static_cast<float>(a),
+                      to = from + static_cast<float>(length);
           EXPECT_NEAR(f32::transmittanceIntegral(s, from, to) / f64::transmittanceIntegral(s, from, to), 1, 2e-5);
         }
       }
@@ -53,10 +55,12 @@ TEST(Medium, DistanceAtShareInvertsTheIntegral) {
         const double t = f64::distanceAtTransmittanceShare(sigma, length, u);
         EXPECT_NEAR(f64::transmittanceIntegral(sigma, 0, t) / f64::transmittanceIntegral(sigma, 0, length), u, 2e-6)
             << sigma << ' ' << length << ' ' << u;
-        const double single = f32::distanceAtTransmittanceShare(static_cast<float>(sigma), static_cast<float>(length), static_cast<float>(u));
-        const double wide = f64::distanceAtTransmittanceShare(static_cast<float>(sigma), static_cast<float>(length), static_cast<float>(u));
-        // In float, 1 - u (1 - e^-x) is rounded by up to 1.2e-7, which moves the point by that over sigma times the transmittance
-        // there; a few such roundings are allowed.
+        const double single = f32::distanceAtTransmittanceShare(static_cast<float>(sigma), static_cast<float>(length),
+                                                                static_cast<float>(u));
+        const double wide = f64::distanceAtTransmittanceShare(static_cast<float>(sigma), static_cast<float>(length),
+                                                              static_cast<float>(u));
+        // In float, 1 - u (1 - e^-x) is rounded by up to 1.2e-7, which moves the point by that over sigma times the
+        // transmittance there; a few such roundings are allowed.
         const double step = sigma * length < 1e-3 ? 0 : 1.2e-7 * std::exp(sigma * wide) / sigma;
         EXPECT_NEAR(single, wide, 1e-5 * wide + 3 * step) << sigma << ' ' << length << ' ' << u;
       }

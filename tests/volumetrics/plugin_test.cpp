@@ -104,8 +104,9 @@ TEST_F(Fixture, LayoutDependsOnStructuralParametersOnly) {
   const auto fingerprint = [&](const TyLayout* l) {
     std::string text;
     for (std::uint32_t i = 0; i < l->image_count; ++i)
-      text += std::string(l->images[i].name) + std::to_string(l->images[i].format) + "," + std::to_string(l->images[i].width) + "," +
-              std::to_string(l->images[i].height) + "," + std::to_string(l->images[i].depth) + ";";
+      text += std::string(l->images[i].name) + std::to_string(l->images[i].format) + "," +
+              std::to_string(l->images[i].width) + "," + std::to_string(l->images[i].height) + "," +
+              std::to_string(l->images[i].depth) + ";";
     for (std::uint32_t i = 0; i < l->pass_count; ++i) {
       const TyPass& p = l->passes[i];
       text += std::string(p.name) + p.shader + std::to_string(p.groups[0]) + "x" + std::to_string(p.groups[1]);
@@ -124,16 +125,21 @@ TEST_F(Fixture, LayoutDependsOnStructuralParametersOnly) {
     for (std::uint32_t i = 0; i < count; ++i) {
       if (table[i].flags & TY_PARAMETER_STRUCTURAL) continue;
       const double old = values[i];
-      values[i] = table[i].type == TY_PARAMETER_FLOAT ? (table[i].min_value + table[i].max_value) / 2 : table[i].max_value;
+      values[i] =
+          table[i].type == TY_PARAMETER_FLOAT ? (table[i].min_value + table[i].max_value) / 2 : table[i].max_value;
       EXPECT_EQ(fingerprint(layout()), before) << table[i].id;
       values[i] = old;
     }
   }
   set("volumetrics.technique", "moments6");
   const std::string before = fingerprint(layout());
-  for (const auto& [id, value] : std::map<std::string, double>{{"volumetrics.columns", 512}, {"volumetrics.slices", 256},
-        {"volumetrics.reference_rays", 2}, {"volumetrics.prefix_bounds", 0}, {"volumetrics.precision", 2},
-        {"volumetrics.row_filter", 0}, {"volumetrics.prefix_scheme", 2}}) {
+  for (const auto& [id, value] : std::map<std::string, double>{{"volumetrics.columns", 512},
+                                                               {"volumetrics.slices", 256},
+                                                               {"volumetrics.reference_rays", 2},
+                                                               {"volumetrics.prefix_bounds", 0},
+                                                               {"volumetrics.precision", 2},
+                                                               {"volumetrics.row_filter", 0},
+                                                               {"volumetrics.prefix_scheme", 2}}) {
     const double old = values[index(id)];
     values[index(id)] = value;
     EXPECT_NE(fingerprint(layout()), before) << id;

@@ -1,6 +1,7 @@
-// What K stored sums of a row are best made of: weights of K reference rays, joined by a polynomial in the inclination, or Chebyshev polynomials of
-// the column as channels, joined so that they make the ray's own weights. In double, without visibility's own error: rows of lit and shadowed
-// stretches, so that all that is judged is the weights. plugins/volumetrics/techniques/exact/README.md has the table.
+// What K stored sums of a row are best made of: weights of K reference rays, joined by a polynomial in the inclination,
+// or Chebyshev polynomials of the column as channels, joined so that they make the ray's own weights. In double,
+// without visibility's own error: rows of lit and shadowed stretches, so that all that is judged is the weights.
+// plugins/volumetrics/techniques/exact/README.md has the table.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,7 +17,8 @@ namespace {
 constexpr int kColumns = 1024;
 constexpr double kPrefixKappa = 0.15, kLeastKappa = 0.01;  // stages/reference_rays.glsl
 
-/// A row of a sun's map: columns evenly spaced across the light, `depth` the optical depth of all of them there. A ray's is that times its cosecant.
+/// A row of a sun's map: columns evenly spaced across the light, `depth` the optical depth of all of them there. A
+/// ray's is that times its cosecant.
 struct Row {
   double depth;
   std::vector<bool> lit;
@@ -64,8 +66,9 @@ double byReferenceRays(const Row& row, double least, double most, int count, dou
   return std::clamp(sum, 0.0, 1.0);
 }
 
-/// Channels: sums of T_k(column) times the weights of the middle reference ray. The ray's weights over those are taken as the polynomial of the
-/// column through `count` Chebyshev nodes of the prefix, which is a sum of the channels; normalised by the same sum of a lit row.
+/// Channels: sums of T_k(column) times the weights of the middle reference ray. The ray's weights over those are taken
+/// as the polynomial of the column through `count` Chebyshev nodes of the prefix, which is a sum of the channels;
+/// normalised by the same sum of a lit row.
 double byChannels(const Row& row, double least, double most, int count, double cosecant, int end) {
   const double low = std::log1p(row.depth * least), high = std::log1p(row.depth * most);
   const double middle = std::expm1(0.5 * (low + high)) / row.depth;
@@ -102,7 +105,8 @@ struct View {
 
 TEST(ReferenceChannels, ReferenceRaysBeatPolynomialsOfTheColumnWhereItIsSeen) {
   std::printf("%-22s depth  K   reference rays   channels   (RMS error of the visible share)\n", "inclinations");
-  for (const View& view : {View{"0.5 to 1.2, sun aside", 0.5, 1.2}, View{"0.1 to 0.7", 0.1, 0.7}, View{"0.02 to 1, on screen", 0.02, 1.0}})
+  for (const View& view :
+       {View{"0.5 to 1.2, sun aside", 0.5, 1.2}, View{"0.1 to 0.7", 0.1, 0.7}, View{"0.02 to 1, on screen", 0.02, 1.0}})
     for (const double depth : {0.3, 1.5})
       for (const int count : {3, 4}) {
         std::mt19937 random(7);
@@ -113,7 +117,8 @@ TEST(ReferenceChannels, ReferenceRaysBeatPolynomialsOfTheColumnWhereItIsSeen) {
           const Row row = randomRow(random, depth);
           const double c = 1 / std::sin(theta(random));
           const int end = std::max(1, static_cast<int>(place(random) * kColumns));
-          const double truth = visibleShare(row, c, end), least = 1 / std::sin(view.most), most = 1 / std::sin(view.least);
+          const double truth = visibleShare(row, c, end), least = 1 / std::sin(view.most),
+                       most = 1 / std::sin(view.least);
           rays += std::pow(byReferenceRays(row, least, most, count, c, end) - truth, 2);
           channels += std::pow(byChannels(row, least, most, count, c, end) - truth, 2);
         }

@@ -118,15 +118,16 @@ std::string floors(const Context& context, const Points& chosen, Reference refer
                           {}});
   }
   const std::string plot = svg(chart);
-  return plot.empty()
-             ? ""
-             : figureBlock(
-                   {plot}, "",
-                   "Every part of the plugin's images, and of the picture, that a pass is bound to, moved once a pass: these bytes over the "
-                   "bandwidth of a copy measured on the device (" +
-                       figure(*copy) +
-                       " GB/s, read and written), as a share of the time. What is read of the engine's maps is not counted. Over 100 percent: "
-                       "caches served a part, or a pass read a part of an image only. Small shares: arithmetic or scattered reads bind.");
+  return plot.empty() ? ""
+                      : figureBlock({plot}, "",
+                                    "Every part of the plugin's images, and of the picture, that a pass is bound to, "
+                                    "moved once a pass: these bytes over the "
+                                    "bandwidth of a copy measured on the device (" +
+                                        figure(*copy) +
+                                        " GB/s, read and written), as a share of the time. What is read of the "
+                                        "engine's maps is not counted. Over 100 percent: "
+                                        "caches served a part, or a pass read a part of an image only. Small shares: "
+                                        "arithmetic or scattered reads bind.");
 }
 
 std::string parts(const Points& chosen, Reference reference) {

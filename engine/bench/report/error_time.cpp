@@ -68,8 +68,9 @@ std::string figureAndFindings(const Context& context, const Level& level, const 
   std::vector<std::string> series;
   const LinePlot plot = plotOf(context, level, view, drawn, reference, series);
   Markup m;
-  m.raw(figureBlock({svg(plot)}, legend(series, context.styles),
-                    caption(plot, drawn.size(), points.size() - measured.size(), measured.size() - drawn.size(), reference)));
+  m.raw(figureBlock(
+      {svg(plot)}, legend(series, context.styles),
+      caption(plot, drawn.size(), points.size() - measured.size(), measured.size() - drawn.size(), reference)));
   m.open("ul", {{"class", "findings"}});
   for (const Finding& f : findings(context, level, points, reference))
     m.open("li").element("b", f.about + ":").text(" " + f.text).close();

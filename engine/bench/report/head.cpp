@@ -70,7 +70,8 @@ void mind(Markup& m, const Results& r) {
   m.element("li",
             "Errors are those of the in-scattered radiance, RMSE over the mean of the reference (nRMSE), at the size "
             "and on the camera named: other sizes and views have other errors. They do not vary from run to run. "
-            "Points with an error of 1 or more, which a black picture has, are plotted, and count for no front and no comparison.");
+            "Points with an error of 1 or more, which a black picture has, are plotted, and count for no front and no "
+            "comparison.");
   m.element("li",
             "The ray-traced truth is sampled and has an error of its own; the table below has its samples a view ray "
             "and light, and its difference from a truth with half of them. Errors near that are the truth's.");

@@ -53,9 +53,11 @@ Number timeOf(const Point& p);  ///< the plugin's median, ms
 
 /// Those points that have a time and an error.
 Points measuredOf(const Points& points, Reference reference);
-/// The least error, over the mean of the reference, that a black picture can have: the mean square is no less than the mean's square.
+/// The least error, over the mean of the reference, that a black picture can have: the mean square is no less than the
+/// mean's square.
 inline constexpr double kBlack = 1;
-/// Cost and error of those points that have both and are better than a black picture; `which` (if given) receives the points.
+/// Cost and error of those points that have both and are better than a black picture; `which` (if given) receives the
+/// points.
 std::vector<CostError> costErrors(const Points& points, Reference reference, Points* which = nullptr);
 
 /// Everything about a point in a few lines.

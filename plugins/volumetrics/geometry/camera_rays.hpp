@@ -3,8 +3,8 @@
 
 #include <glm/glm.hpp>
 
-#include "stages/blocks.h"
 #include "params/table.hpp"
+#include "stages/blocks.h"
 #include "tyndall/plugin.h"
 
 namespace volumetrics {

@@ -12,7 +12,8 @@ double cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 }  // namespace
 
 Polygon convexHull(std::vector<glm::dvec2> points) {
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   Polygon hull;
   const auto chain = [&](auto first, auto last) {
     const std::size_t start = hull.size();

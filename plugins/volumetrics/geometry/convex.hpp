@@ -9,7 +9,8 @@ namespace volumetrics {
 
 using Polygon = std::vector<glm::dvec2>;
 
-/// Convex hull, counter-clockwise, without collinear points (Andrew 1979, monotone chain). Fewer than 3 points: no area.
+/// Convex hull, counter-clockwise, without collinear points (Andrew 1979, monotone chain). Fewer than 3 points: no
+/// area.
 Polygon convexHull(std::vector<glm::dvec2> points);
 
 /// Intersection of two convex counter-clockwise polygons (Sutherland and Hodgman 1974); empty when they do not overlap.

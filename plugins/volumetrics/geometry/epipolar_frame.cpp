@@ -83,13 +83,14 @@ Polygon fillFrame(const RectificationInput& input, const glm::dvec3& e1, Rectifi
   for (std::size_t i = 0; i < 4; ++i)
     block.planes[i] = glm::vec3(glm::dot(planes[i], e1), glm::dot(planes[i], e2), glm::dot(planes[i], axis));
 
-  // Seen along the light: the frustum from the eye to the far corners, and the casters. Outside either nothing is shadowed or
-  // nothing is seen.
+  // Seen along the light: the frustum from the eye to the far corners, and the casters. Outside either nothing is
+  // shadowed or nothing is seen.
   const auto project = [&](const glm::dvec3& v) { return glm::dvec2(glm::dot(v, e1), glm::dot(v, e2)); };
   std::vector<glm::dvec2> seen{glm::dvec2(0)};
   for (const glm::dvec3& q : corners) seen.push_back(project(q * static_cast<double>(input.rays.zfar)));
   std::vector<glm::dvec2> casters;
-  for (const glm::vec3& corner : input.casterCorners) casters.push_back(project(glm::dvec3(corner) - glm::dvec3(input.rays.eye)));
+  for (const glm::vec3& corner : input.casterCorners)
+    casters.push_back(project(glm::dvec3(corner) - glm::dvec3(input.rays.eye)));
   const Polygon region = input.wholeView ? convexHull(seen) : intersectConvex(convexHull(casters), convexHull(seen));
   block.reach = 0;
   if (region.size() < 3 || area(region) <= 0) return {};
@@ -128,8 +129,9 @@ void append(RectificationBlock& block, const Edge& edge, double phiStart, double
   out.sliceCount = static_cast<float>(edge.pixels);  // scaled to slices once all are known
 }
 
-/// Slices spaced along the screen's border. Seen along the light, the azimuth passes every slice once on the parts of the border
-/// on which it grows and once on those on which it falls: the longer of the two on screen carries the slices.
+/// Slices spaced along the screen's border. Seen along the light, the azimuth passes every slice once on the parts of
+/// the border on which it grows and once on those on which it falls: the longer of the two on screen carries the
+/// slices.
 void spaceByBorder(const RectificationInput& input, RectificationBlock& block) {
   const auto corners = cornerDirections(input.rays);
   const double width = 2.0 / input.rays.pixelScale.x, height = 2.0 / input.rays.pixelScale.y;
@@ -190,8 +192,8 @@ std::optional<ConeSector> coneSector(const glm::dvec3& towards, const glm::dvec3
 
 namespace {
 
-/// Cuts the azimuths of the view, about e1, to a sector around e1. Both are narrower than pi; where they meet at both ends, or not at all, the
-/// sector stays whole.
+/// Cuts the azimuths of the view, about e1, to a sector around e1. Both are narrower than pi; where they meet at both
+/// ends, or not at all, the sector stays whole.
 void cutToSector(double halfWidth, double& phiMin, double& phiMax) {
   const double low = std::max(phiMin, -halfWidth), high = std::min(phiMax, halfWidth);
   const bool across = phiMax > 2 * kPi - halfWidth || phiMin < -2 * kPi + halfWidth;
@@ -214,7 +216,8 @@ RectificationBlock epipolarBlock(const RectificationInput& input) {
   if (glm::length(e1) < 1e-6) e1 = glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
   // Nothing lies outside a spot light's cone: slices are spent on its azimuths alone, with e1 along their middle.
   std::optional<ConeSector> sector;
-  if (input.cosOuter > 0 && input.spacing == SliceSpacing::kAzimuth) sector = coneSector(axis, glm::dvec3(input.coneAxis), input.cosOuter);
+  if (input.cosOuter > 0 && input.spacing == SliceSpacing::kAzimuth)
+    sector = coneSector(axis, glm::dvec3(input.coneAxis), input.cosOuter);
   const glm::dvec3 middleOfView = glm::normalize(e1);
   fillFrame(input, sector ? sector->middle : middleOfView, block);
 
@@ -224,7 +227,8 @@ RectificationBlock epipolarBlock(const RectificationInput& input) {
     phiMin = kPi;
     phiMax = -kPi;
     const glm::dvec3 acrossView = glm::cross(axis, middleOfView);
-    const double turned = azimuth({glm::dot(middleOfView, glm::dvec3(block.e1)), glm::dot(middleOfView, glm::dvec3(block.e2))});
+    const double turned =
+        azimuth({glm::dot(middleOfView, glm::dvec3(block.e1)), glm::dot(middleOfView, glm::dvec3(block.e2))});
     for (const glm::dvec3& q : corners) {
       const double phi = turned + std::atan2(glm::dot(q, acrossView), glm::dot(q, middleOfView));
       phiMin = std::min(phiMin, phi);

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
-#include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "geometry/camera_rays.hpp"
 #include "geometry/convex.hpp"
@@ -41,7 +41,8 @@ struct Scenario {
     input.towards = glm::vec3(seed % 5 == 0 ? forward * (seed % 2 ? 1.0 : -1.0) : direction());
     const glm::vec3 low(uniform(-30, 0), uniform(-30, 0), uniform(-30, 0));
     const glm::vec3 high = low + glm::vec3(uniform(1, 60), uniform(0.1, 60), uniform(1, 60));
-    for (int i = 0; i < 8; ++i) input.casterCorners[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
+    for (int i = 0; i < 8; ++i)
+      input.casterCorners[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
   }
   glm::dvec3 pixelRay() {
     return glm::normalize(glm::dvec3(input.rays.forward) + uniform(-1, 1) * glm::dvec3(input.rays.right) +
@@ -89,7 +90,8 @@ TEST(EpipolarFrame, FullCircleExactlyWhenAnEpipoleIsInView) {
       const glm::dvec3 a = sign * glm::dvec3(s.input.towards);
       const double depth = glm::dot(a, glm::dvec3(s.input.rays.forward));
       const glm::dvec3 r(s.input.rays.right), u(s.input.rays.up);
-      return depth > 0 && std::abs(glm::dot(a, r)) <= depth * glm::dot(r, r) && std::abs(glm::dot(a, u)) <= depth * glm::dot(u, u);
+      return depth > 0 && std::abs(glm::dot(a, r)) <= depth * glm::dot(r, r) &&
+             std::abs(glm::dot(a, u)) <= depth * glm::dot(u, u);
     };
     EXPECT_EQ(block.fullCircle != 0, onScreen(1) || onScreen(-1)) << seed;
     (block.fullCircle ? full : partial)++;
@@ -173,7 +175,8 @@ TEST(EpipolarFrame, BorderSlicesAreMonotoneAndInvertible) {
       for (int step = 0; step <= 20; ++step) {
         const glm::dvec2 p = glm::dvec2(edge.start) + glm::dvec2(edge.delta) * (step / 20.0);
         double phi = std::atan2(p.y, p.x);
-        phi += 2 * std::numbers::pi * std::round((before - phi) / (2 * std::numbers::pi));  // -pi and pi are one direction
+        phi +=
+            2 * std::numbers::pi * std::round((before - phi) / (2 * std::numbers::pi));  // -pi and pi are one direction
         EXPECT_GE(phi, before - 1e-3) << seed << ' ' << i;
         before = phi;
       }
@@ -189,8 +192,8 @@ TEST(EpipolarFrame, BorderSlicesAreMonotoneAndInvertible) {
   EXPECT_GT(spaced, 200);
 }
 
-// The projective map: a view ray is a row of constant depth, columns grow along it uniformly in 1/x, and the clip matrix says the same
-// as the block that shaders read.
+// The projective map: a view ray is a row of constant depth, columns grow along it uniformly in 1/x, and the clip
+// matrix says the same as the block that shaders read.
 TEST(LinearFrame, ViewRaysAreRowsOfConstantDepth) {
   int made = 0, none = 0;
   for (unsigned seed = 0; seed < 400; ++seed) {
@@ -215,32 +218,39 @@ TEST(LinearFrame, ViewRaysAreRowsOfConstantDepth) {
       EXPECT_LE(depth, 1 + 1e-4);
       for (std::uint32_t split = 0; split < block.splits; ++split) {
         const double share = s.uniform(0, 1);
-        const double inverse = block.inverse[split] + share * (static_cast<double>(block.inverse[split + 1]) - block.inverse[split]);
+        const double inverse =
+            block.inverse[split] + share * (static_cast<double>(block.inverse[split + 1]) - block.inverse[split]);
         const glm::vec3 world = glm::vec3(glm::dvec3(s.input.rays.eye) + d / (x * inverse));
         const glm::vec4 clip = frame->clipFromWorld[split] * glm::vec4(world, 1);
         ASSERT_GT(clip.w, 0) << seed;
         // Float matrices far from the origin: the tolerance follows the size of what is subtracted.
         const double tolerance = 2e-3 + 2e-5 * (glm::length(world) + 60) / clip.w;
-        EXPECT_NEAR(clip.x / clip.w, 2 * row - 1, tolerance * (1 + 2 / (static_cast<double>(block.sliceStep) * block.slices))) << seed;
+        EXPECT_NEAR(clip.x / clip.w, 2 * row - 1,
+                    tolerance * (1 + 2 / (static_cast<double>(block.sliceStep) * block.slices)))
+            << seed;
         EXPECT_NEAR(clip.z / clip.w, depth, tolerance * (1 + block.rasterScale)) << seed;
-        if (frame->block.inverse[split] < 2 * frame->block.inverse[split + 1]) continue;  // a thin split: ill-conditioned in float
+        if (frame->block.inverse[split] < 2 * frame->block.inverse[split + 1])
+          continue;  // a thin split: ill-conditioned in float
         EXPECT_NEAR(clip.y / clip.w, 2 * share - 1, 10 * tolerance) << seed;
       }
     }
-    // Columns grow within a split, so the longest is no shorter than if all were even; no split could be moved to shorten it.
+    // Columns grow within a split, so the longest is no shorter than if all were even; no split could be moved to
+    // shorten it.
     EXPECT_GE(frame->longestColumn, frame->evenColumn * 0.99) << seed;
     for (std::uint32_t split = 0; split < block.splits; ++split) {
       const double a = 1.0 / block.inverse[split], b = 1.0 / block.inverse[split + 1];
       const double step = (1 / a - 1 / b) / block.columns;
-      EXPECT_NEAR(b - 1 / (1 / b + step), frame->longestColumn, 0.02 * frame->longestColumn + 1e-4 * b) << seed << ' ' << split;
+      EXPECT_NEAR(b - 1 / (1 / b + step), frame->longestColumn, 0.02 * frame->longestColumn + 1e-4 * b)
+          << seed << ' ' << split;
     }
   }
   EXPECT_GT(made, 60);
   EXPECT_GT(none, 60);  // every fifth scenario looks into or away from the light
 }
 
-// Why column edges come from the matrix: Klehm et al. 2014, equation 12 lets columns grow by one factor, taken from the first three
-// texel centres. They are uniform in 1/x, so the factor rises along the row, and the columns of that equation end far before the row.
+// Why column edges come from the matrix: Klehm et al. 2014, equation 12 lets columns grow by one factor, taken from the
+// first three texel centres. They are uniform in 1/x, so the factor rises along the row, and the columns of that
+// equation end far before the row.
 TEST(LinearFrame, ItsShareFallsFromAllToNone) {
   LinearFrame frame;
   frame.evenColumn = 0.01;

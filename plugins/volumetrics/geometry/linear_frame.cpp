@@ -7,12 +7,14 @@
 namespace volumetrics {
 namespace {
 
-/// A span nearer to 180 degrees than this leaves no frustum worth the name: its sides are 57 times as far as its middle.
+/// A span nearer to 180 degrees than this leaves no frustum worth the name: its sides are 57 times as far as its
+/// middle.
 constexpr double kLargestSpan = std::numbers::pi * 178 / 180;
-/// auto: longest column and widest slice, in even ones. At a width of 1.4 the maps were equally exact (min_max on hall and forest), at 2
-/// the projective one was worse by a tenth to a half, at 10 by half to double.
+/// auto: longest column and widest slice, in even ones. At a width of 1.4 the maps were equally exact (min_max on hall
+/// and forest), at 2 the projective one was worse by a tenth to a half, at 10 by half to double.
 constexpr double kLongestColumn = 4, kWidestSlice = 1.4;
-/// How far below these limits a projective map takes over wholly. Found by turning cameras on two levels: 0.3 and 0.06 at least are six degrees.
+/// How far below these limits a projective map takes over wholly. Found by turning cameras on two levels: 0.3 and 0.06
+/// at least are six degrees.
 constexpr double kColumnFade = 0.35, kSliceFade = 0.07;
 
 /// Direction in the middle of the two projected corners that span the largest angle; none if that is too large.
@@ -32,15 +34,17 @@ std::optional<glm::dvec2> bisectrix(const std::array<glm::dvec2, 4>& corners) {
   return glm::normalize(middle);
 }
 
-/// Border of the split that starts at `start` if its last column, of `columns`, is to be `length` long. Columns are uniform in 1/x, so
-/// that column is b (b - a) / (columns a + b - a) long in a split from a to b.
+/// Border of the split that starts at `start` if its last column, of `columns`, is to be `length` long. Columns are
+/// uniform in 1/x, so that column is b (b - a) / (columns a + b - a) long in a split from a to b.
 double splitEnd(double start, double length, double columns) {
   const double sum = start + length;
   return 0.5 * (sum + std::sqrt(sum * sum + 4 * length * start * (columns - 1)));
 }
 
-/// Clip coordinates as functions of (x, y, height) along (e1, e2, towards) from the eye, all linear, then of world positions.
-glm::mat4 clipMatrix(const RectificationInput& input, const RectificationBlock& block, double nearInverse, double farInverse) {
+/// Clip coordinates as functions of (x, y, height) along (e1, e2, towards) from the eye, all linear, then of world
+/// positions.
+glm::mat4 clipMatrix(const RectificationInput& input, const RectificationBlock& block, double nearInverse,
+                     double farInverse) {
   const double span = block.sliceStep * static_cast<double>(block.slices);
   // x: the tangent y/x from sliceLow to sliceLow + span; y: 1/x from nearInverse to farInverse; z: depth; w: x.
   const std::array<glm::dvec3, 4> rows = {
@@ -85,7 +89,8 @@ std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uin
   const auto planes = sidePlanes(corners);
   if (inFrustum(planes, axis) || inFrustum(planes, -axis)) return std::nullopt;
 
-  const glm::dvec3 any = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const glm::dvec3 any =
+      glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
   const glm::dvec3 other = glm::cross(axis, any);
   std::array<glm::dvec2, 4> flat;
   for (std::size_t i = 0; i < 4; ++i) flat[i] = {glm::dot(corners[i], any), glm::dot(corners[i], other)};
@@ -142,7 +147,8 @@ std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uin
 }
 
 double linearShare(const LinearFrame& frame) {
-  const double columns = frame.evenColumn > 0 ? (kLongestColumn - frame.longestColumn / frame.evenColumn) / kColumnFade : 1;
+  const double columns =
+      frame.evenColumn > 0 ? (kLongestColumn - frame.longestColumn / frame.evenColumn) / kColumnFade : 1;
   return std::clamp(std::min(columns, (kWidestSlice - frame.widestSlice) / kSliceFade), 0.0, 1.0);
 }
 

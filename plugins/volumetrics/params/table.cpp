@@ -64,13 +64,14 @@ TyParameter flag(TyParameter parameter, std::uint64_t unbuilt) {
 }
 
 #define ROW_INT(field, id, label, standard, low, high, builtLow, builtHigh, unit, flags, doc) \
-  rows.push_back(number(plain(TY_PARAMETER_INT, id, label, standard, unit, flags, doc), low, high, builtLow, builtHigh));
+  rows.push_back(                                                                             \
+      number(plain(TY_PARAMETER_INT, id, label, standard, unit, flags, doc), low, high, builtLow, builtHigh));
 #define ROW_FLOAT(field, id, label, standard, low, high, unit, flags, doc) \
   rows.push_back(number(plain(TY_PARAMETER_FLOAT, id, label, standard, unit, flags, doc), low, high, low, high));
-#define ROW_ENUM(field, id, label, standard, unbuilt, choices, flags, doc)                                    \
-  {                                                                                                            \
-    static const Choices names(choices);                                                                       \
-    rows.push_back(choice(plain(TY_PARAMETER_ENUM, id, label, standard, "", flags, doc), names, unbuilt));     \
+#define ROW_ENUM(field, id, label, standard, unbuilt, choices, flags, doc)                                 \
+  {                                                                                                        \
+    static const Choices names(choices);                                                                   \
+    rows.push_back(choice(plain(TY_PARAMETER_ENUM, id, label, standard, "", flags, doc), names, unbuilt)); \
   }
 #define ROW_BOOL(field, id, label, standard, unbuilt, flags, doc) \
   rows.push_back(flag(plain(TY_PARAMETER_BOOL, id, label, standard, "", flags, doc), unbuilt));
@@ -81,7 +82,8 @@ std::vector<TyParameter> makeTable() {
   for (TyParameter& row : rows) {
     if (std::strcmp(row.id, "volumetrics.technique") != 0) continue;
     for (std::uint32_t i = 0; i < row.choice_count; ++i)
-      if (std::strcmp(row.choices[i], "none") != 0 && findTechnique(row.choices[i]) == nullptr) row.unbuilt |= 1ull << i;
+      if (std::strcmp(row.choices[i], "none") != 0 && findTechnique(row.choices[i]) == nullptr)
+        row.unbuilt |= 1ull << i;
   }
   return rows;
 }

@@ -12,12 +12,12 @@
 #include "techniques/ray_march/ray_march.params.h"
 #include "tyndall/plugin.h"
 
-#define TY_ALL_PARAMS(INT, FLOAT, ENUM, BOOL)   \
-  TY_COMMON_PARAMS(INT, FLOAT, ENUM, BOOL)      \
-  TY_RAY_MARCH_PARAMS(INT, FLOAT, ENUM, BOOL)   \
-  TY_RECTIFIED_PARAMS(INT, FLOAT, ENUM, BOOL)   \
-  TY_MOMENTS_PARAMS(INT, FLOAT, ENUM, BOOL)     \
-  TY_FOURIER_PARAMS(INT, FLOAT, ENUM, BOOL)     \
+#define TY_ALL_PARAMS(INT, FLOAT, ENUM, BOOL) \
+  TY_COMMON_PARAMS(INT, FLOAT, ENUM, BOOL)    \
+  TY_RAY_MARCH_PARAMS(INT, FLOAT, ENUM, BOOL) \
+  TY_RECTIFIED_PARAMS(INT, FLOAT, ENUM, BOOL) \
+  TY_MOMENTS_PARAMS(INT, FLOAT, ENUM, BOOL)   \
+  TY_FOURIER_PARAMS(INT, FLOAT, ENUM, BOOL)   \
   TY_EXACT_PARAMS(INT, FLOAT, ENUM, BOOL)
 
 namespace volumetrics {
@@ -33,8 +33,8 @@ enum class Rectification { kAuto, kLinear, kEpipolar };
 enum class RowFilter { kNearest, kLinear, kMipmapped };
 enum class PrefixScheme { kAuto, kRow, kBlock, kScan };
 
-/// The ABI table; valid for the library's life. Choices of the technique parameter that no registered technique has (but for
-/// "none") are marked as not built.
+/// The ABI table; valid for the library's life. Choices of the technique parameter that no registered technique has
+/// (but for "none") are marked as not built.
 std::span<const TyParameter> parameterTable();
 /// Index of volumetrics.technique and volumetrics.prefix_scheme in the table.
 std::uint32_t techniqueIndex();

@@ -16,12 +16,14 @@ constexpr float kLeastCosine = 1e-4f;
 // An arc cosine near 1 is off by the root of float's rounding.
 constexpr float kAngleSlack = 1e-3f;
 
-/// Angle of the smallest texel of a perspective map, `tangent` that of half its opening: in a corner a step of dx at tangent x spans
-/// dx / (1 + x^2 + y^2).
-float texelAngle(double tangent, double size) { return static_cast<float>(2 * tangent / size / (1 + 2 * tangent * tangent)); }
+/// Angle of the smallest texel of a perspective map, `tangent` that of half its opening: in a corner a step of dx at
+/// tangent x spans dx / (1 + x^2 + y^2).
+float texelAngle(double tangent, double size) {
+  return static_cast<float>(2 * tangent / size / (1 + 2 * tangent * tangent));
+}
 
-/// How far the light reaches along a unit vector, m: the greatest dot(direction, point) over its range and cone, relative to the eye.
-/// Infinite without a range, if it reaches that way at all.
+/// How far the light reaches along a unit vector, m: the greatest dot(direction, point) over its range and cone,
+/// relative to the eye. Infinite without a range, if it reaches that way at all.
 float extentAlong(const LocalBlock& light, const glm::vec3& direction) {
   float best = 1;  // cosine between `direction` and the cone's direction nearest to it
   if (light.kind == kLocalSpot) {
@@ -72,14 +74,16 @@ CookieBlock cookieBlock(const TyLight& light, const glm::vec3& eye) {
   if (light.struct_size < offsetof(TyLight, cookie_repeats) + sizeof light.cookie_repeats) return block;
   block.faces = light.cookie_faces;
   block.repeats = light.cookie_repeats;
-  block.fromEye = glm::mat4(glm::dmat4(glm::make_mat4(light.cookie_from_world)) * glm::translate(glm::dmat4(1), glm::dvec3(eye)));
+  block.fromEye =
+      glm::mat4(glm::dmat4(glm::make_mat4(light.cookie_from_world)) * glm::translate(glm::dmat4(1), glm::dvec3(eye)));
   return block;
 }
 
 bool reachesView(const LocalBlock& light, const RayBlock& rays) {
   if (std::max({light.intensity.x, light.intensity.y, light.intensity.z}) <= 0) return false;
   const glm::vec3 right = rays.right / glm::dot(rays.right, rays.right), up = rays.up / glm::dot(rays.up, rays.up);
-  // Side planes through the eye, inwards; a light that is nowhere on the inner side of one is out of view. The far plane likewise.
+  // Side planes through the eye, inwards; a light that is nowhere on the inner side of one is out of view. The far
+  // plane likewise.
   for (const glm::vec3& inwards : {rays.forward + right, rays.forward - right, rays.forward + up, rays.forward - up})
     if (extentAlong(light, glm::normalize(inwards)) < 0) return false;
   return extentAlong(light, -rays.forward) >= -rays.zfar;
@@ -93,7 +97,8 @@ double screenShare(const LocalBlock& light, const RayBlock& rays) {
   const auto part = [&](const glm::vec3& half) {
     const double size = glm::length(half), across = glm::dot(light.position, half) / size;
     const double apart2 = along * along + across * across - double{light.range} * light.range;
-    const double root = light.range * std::sqrt(std::max(apart2, 0.0)), below = along * along - double{light.range} * light.range;
+    const double root = light.range * std::sqrt(std::max(apart2, 0.0)),
+                 below = along * along - double{light.range} * light.range;
     const double low = std::clamp((along * across - root) / below / size, -1.0, 1.0);
     const double high = std::clamp((along * across + root) / below / size, -1.0, 1.0);
     return (high - low) / 2;

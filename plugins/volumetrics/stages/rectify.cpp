@@ -28,7 +28,8 @@ constexpr std::uint32_t kUnshadowedSize = 256;
 constexpr float kLeastDistance = 1e-3f;
 
 Rectification rectification(const Settings& settings) { return static_cast<Rectification>(settings.rectification); }
-/// Whether the maps of a class may be projective: those of suns without cookies, unless the rectification is epipolar alone.
+/// Whether the maps of a class may be projective: those of suns without cookies, unless the rectification is epipolar
+/// alone.
 bool isProjective(const Settings& settings, const LightClass& lights) {
   return !lights.local && !lights.coloured && rectification(settings) != Rectification::kEpipolar;
 }
@@ -51,8 +52,9 @@ void setWhole(RectificationBlock& map) {
   map.segmentStart[1] = map.columns * map.splits;
 }
 
-/// An epipolar map that stands in for projective ones is parted where they would be, so that a switch between both changes neither the
-/// number of look-ups nor what joining them brings. `projective`: the projective map, if there is one for this view.
+/// An epipolar map that stands in for projective ones is parted where they would be, so that a switch between both
+/// changes neither the number of look-ups nor what joining them brings. `projective`: the projective map, if there is
+/// one for this view.
 void setSegmentsByDistance(RectificationBlock& map, std::uint32_t splits, std::uint32_t regions, float znear,
                            const std::optional<LinearFrame>& projective) {
   std::array<double, kMaxSplits + 1> along{};
@@ -68,7 +70,8 @@ void setSegmentsByDistance(RectificationBlock& map, std::uint32_t splits, std::u
     for (std::uint32_t region = 0; region < regions; ++region) {
       // Columns of a projective map, and so its regions, are even in 1/x.
       const double share = static_cast<double>(region) / regions;
-      map.segmentDistance[split * regions + region] = static_cast<float>(1 / ((1 - share) / along[split] + share / along[split + 1]));
+      map.segmentDistance[split * regions + region] =
+          static_cast<float>(1 / ((1 - share) / along[split] + share / along[split + 1]));
     }
 }
 
@@ -82,8 +85,9 @@ glm::vec2 onScreen(const RayBlock& rays, const glm::vec3& direction) {
 }
 
 /// The map of a sun, parted, made by `passes`: their matrices are filled, and those that it does not need left out.
-RectificationBlock makeMap(const FrameContext& context, const Settings& settings, const RectificationInput& input, const MapPasses& passes,
-                           std::uint32_t light, const std::optional<LinearFrame>& linear, bool useLinear, bool parted) {
+RectificationBlock makeMap(const FrameContext& context, const Settings& settings, const RectificationInput& input,
+                           const MapPasses& passes, std::uint32_t light, const std::optional<LinearFrame>& linear,
+                           bool useLinear, bool parted) {
   const bool mayBeLinear = rectification(settings) != Rectification::kEpipolar && !input.wholeView;
   RectificationInput wide = input;
   if (!input.wholeView) wide.columns *= std::max(1u, passes.splits);
@@ -104,10 +108,10 @@ RectificationBlock makeMap(const FrameContext& context, const Settings& settings
   return map;
 }
 
-/// Chooses the rectification of a sun in this frame, or shares its light between two. Returns whether the second map, `fading`, has a part;
-/// what is not about maps is left to the caller there.
-bool chooseMaps(const FrameContext& context, const Settings& settings, const RectificationInput& input, std::uint32_t light, bool parted,
-                RectifiedLightBlock& block, RectifiedLightBlock* fading) {
+/// Chooses the rectification of a sun in this frame, or shares its light between two. Returns whether the second map,
+/// `fading`, has a part; what is not about maps is left to the caller there.
+bool chooseMaps(const FrameContext& context, const Settings& settings, const RectificationInput& input,
+                std::uint32_t light, bool parted, RectifiedLightBlock& block, RectifiedLightBlock* fading) {
   std::optional<LinearFrame> linear;
   const bool mayBeLinear = rectification(settings) != Rectification::kEpipolar && !input.wholeView;
   const bool mustBeLinear = rectification(settings) == Rectification::kLinear;
@@ -126,8 +130,10 @@ bool chooseMaps(const FrameContext& context, const Settings& settings, const Rec
   return true;
 }
 
-/// The most important light has the map that the settings ask for; further ones have as much as they have of the screen.
-void shareOfScreen(const FrameContext& context, RectificationInput& input, std::uint32_t light, const LocalBlock& local) {
+/// The most important light has the map that the settings ask for; further ones have as much as they have of the
+/// screen.
+void shareOfScreen(const FrameContext& context, RectificationInput& input, std::uint32_t light,
+                   const LocalBlock& local) {
   if (light == 0) return;
   const double side = std::sqrt(screenShare(local, context.block<RectifiedBlock>(kFrameBlock).rays));
   const auto part = [&](std::uint32_t whole) {
@@ -138,9 +144,10 @@ void shareOfScreen(const FrameContext& context, RectificationInput& input, std::
   input.slices = part(input.slices);
 }
 
-/// What reference rays leave to columns that they do not see themselves, since their psi ends at pi - theta or the light's range ends before:
-/// the weight that the farthest blocker has for those who see it. Found on views of two levels with lamps, and of one whose range ends in the air: leaving
-/// nothing has errors of 0.15 beside the antipode of a lamp, leaving the same to all of 0.11 where a range ends.
+/// What reference rays leave to columns that they do not see themselves, since their psi ends at pi - theta or the
+/// light's range ends before: the weight that the farthest blocker has for those who see it. Found on views of two
+/// levels with lamps, and of one whose range ends in the air: leaving nothing has errors of 0.15 beside the antipode of
+/// a lamp, leaving the same to all of 0.11 where a range ends.
 void setLeastWeights(const TyLight& light, const glm::vec3& eye, float sigma_t, RectifiedLightBlock& block) {
   constexpr float kMostWay = 4, kLeastWindow = 0.02f, kPartOfBox = 0.75f;
   float fromLight = 0, fromEye = 0;
@@ -162,17 +169,29 @@ void addShine(LayoutBuilder& builder, RectifyStage& stage, std::uint32_t rays, c
   stage.weights = builder.image("column_weights", TY_FORMAT_RGBA32_FLOAT, stage.slices, stage.rows, quads, true);
   stage.lit = builder.image("lit", TY_FORMAT_RGBA16_UNORM, stage.slices, stage.rows, quads, true);
   const TyBinding slices = bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ);
-  builder.compute({"shine", "shine.comp",
+  builder.compute({"shine",
+                   "shine.comp",
                    {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), slices,
                     lightCookieAt(3, stage.lights.coloured), storageAt(4, stage.weights)},
-                   groups8(stage.slices), groups8(stage.rows), 1, kEachLight, {{1, rays}}});
-  const std::uint32_t parts = stage.rows / static_cast<std::uint32_t>(settings.columns) * static_cast<std::uint32_t>(settings.regions);
-  builder.compute({"lit", "lit.comp",
-                   {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), slices, sampledAt(3, stage.weights), storageAt(4, stage.lit)},
-                   groups8(stage.slices), parts, 1, kEachLight, {{1, rays}}});
-  builder.debugView("lit", "What fully lit rays receive of the light's strength and colour up to each column, first reference ray",
-                    TY_SOURCE_IMAGE, stage.lit, 0, stage.lights.coloured ? 4 : 0, 0.0f, 1.0f,
-                    TY_VIEW_ROWS);
+                   groups8(stage.slices),
+                   groups8(stage.rows),
+                   1,
+                   kEachLight,
+                   {{1, rays}}});
+  const std::uint32_t parts =
+      stage.rows / static_cast<std::uint32_t>(settings.columns) * static_cast<std::uint32_t>(settings.regions);
+  builder.compute({"lit",
+                   "lit.comp",
+                   {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), slices, sampledAt(3, stage.weights),
+                    storageAt(4, stage.lit)},
+                   groups8(stage.slices),
+                   parts,
+                   1,
+                   kEachLight,
+                   {{1, rays}}});
+  builder.debugView(
+      "lit", "What fully lit rays receive of the light's strength and colour up to each column, first reference ray",
+      TY_SOURCE_IMAGE, stage.lit, 0, stage.lights.coloured ? 4 : 0, 0.0f, 1.0f, TY_VIEW_ROWS);
 }
 
 }  // namespace
@@ -206,7 +225,8 @@ std::vector<LightClass> lightClasses(const LayoutContext& context) {
 }
 
 std::uint32_t rowsOf(const Settings& settings, const LightClass& lights) {
-  return static_cast<std::uint32_t>(settings.columns) * (isProjective(settings, lights) ? static_cast<std::uint32_t>(settings.splits) : 1);
+  return static_cast<std::uint32_t>(settings.columns) *
+         (isProjective(settings, lights) ? static_cast<std::uint32_t>(settings.splits) : 1);
 }
 
 void beginClass(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights) {
@@ -226,7 +246,8 @@ TyBinding litAt22(const RectifyStage& stage) {
   return sampledAt(22, stage.lit, stage.lights.shaped ? TY_SAMPLER_LINEAR_CLAMP : TY_SAMPLER_NEAREST_CLAMP);
 }
 
-RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights, DepthBits bits, bool filterable) {
+RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights, DepthBits bits,
+                        bool filterable) {
   const Settings& settings = context.settings;
   const auto columns = static_cast<std::uint32_t>(settings.columns);
   const auto rays = static_cast<std::uint32_t>(settings.reference_rays);
@@ -244,35 +265,60 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, co
 
   stage.sliceBuffer = builder.buffer("slices", sizeof(Slice) * std::uint64_t{stage.slices});
   stage.rectified = builder.image("rectified", stage.filtered ? pair : single, stage.slices, stage.rows, 1, true);
-  builder.compute({"slices", "slices.comp",
-                   {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_WRITE)},
-                   (stage.slices + 63) / 64, 1, 1, kEachLight, {{0, rays}}});
-  const std::vector<TyBinding> bindings{uniformAt(0, kLightBlock), bufferAt(1, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
-                                        stage.filtered ? shadowMomentsAt(2) : shadowMapAt(2), storageAt(3, stage.rectified)};
+  builder.compute(
+      {"slices",
+       "slices.comp",
+       {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_WRITE)},
+       (stage.slices + 63) / 64,
+       1,
+       1,
+       kEachLight,
+       {{0, rays}}});
+  const std::vector<TyBinding> bindings{
+      uniformAt(0, kLightBlock), bufferAt(1, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
+      stage.filtered ? shadowMomentsAt(2) : shadowMapAt(2), storageAt(3, stage.rectified)};
   if (lights.local) {
-    builder.compute({"rectify", "rectify_local.comp", bindings, groups8(stage.slices), groups8(stage.rows), 1, kEachLight, {}});
+    builder.compute(
+        {"rectify", "rectify_local.comp", bindings, groups8(stage.slices), groups8(stage.rows), 1, kEachLight, {}});
   } else {
     const std::uint32_t pass = builder.compute(
-        {"rectify", "rectify.comp", bindings, groups8(stage.slices), groups8(stage.rows), 1, kEachLight,
+        {"rectify",
+         "rectify.comp",
+         bindings,
+         groups8(stage.slices),
+         groups8(stage.rows),
+         1,
+         kEachLight,
          {{0, stage.filtered ? 1u : 0u}, {1, context.shadowMoments == TY_FORMAT_RGBA16_UNORM ? 1u : 0u}}});
     if (!lights.coloured) passes.rectifyPass = pass;
   }
-  builder.debugView("rectified", "Rectified map, resampled: slices along x, columns along y; depth of the first blocker, white = none",
-                    TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f, TY_VIEW_ROWS);
+  builder.debugView(
+      "rectified",
+      "Rectified map, resampled: slices along x, columns along y; depth of the first blocker, white = none",
+      TY_SOURCE_IMAGE, stage.rectified, 0, 0, 0.0f, 1.0f, TY_VIEW_ROWS);
   if (stage.filtered) {
-    builder.debugView("rectified_second", "Rectified map, filtered: depth of the second blocker", TY_SOURCE_IMAGE, stage.rectified, 0, 1,
-                      0.0f, 1.0f, TY_VIEW_ROWS);
-    builder.debugView("rectified_share", "Rectified map, filtered: share of the second blocker", TY_SOURCE_IMAGE, stage.rectified, 0, 2,
-                      0.0f, 1.0f, TY_VIEW_ROWS);
-    builder.debugView("shadow_moments", "The first light's moment shadow map that the rows are made of, first three channels",
+    builder.debugView("rectified_second", "Rectified map, filtered: depth of the second blocker", TY_SOURCE_IMAGE,
+                      stage.rectified, 0, 1, 0.0f, 1.0f, TY_VIEW_ROWS);
+    builder.debugView("rectified_share", "Rectified map, filtered: share of the second blocker", TY_SOURCE_IMAGE,
+                      stage.rectified, 0, 2, 0.0f, 1.0f, TY_VIEW_ROWS);
+    builder.debugView("shadow_moments",
+                      "The first light's moment shadow map that the rows are made of, first three channels",
                       TY_SOURCE_SHADOW_MOMENTS, 0, 0, 4, 0.0f, 1.0f);
   }
   stage.projective = stage.weights = stage.lit = stage.unshadowed = stage.rectified;
   if (lights.local) {
     stage.unshadowed = builder.image("unshadowed", TY_FORMAT_R32_FLOAT, kUnshadowedSize, kUnshadowedSize, 1, true);
-    builder.compute({"unshadowed", "unshadowed.comp", {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), storageAt(2, stage.unshadowed)},
-                     kUnshadowedSize, 1, 1, kEachLight, {}});
-    builder.debugView("unshadowed", "Table of unshadowed integrals of a spot or point light: share of the angles at the light along x, inclination along y",
+    builder.compute({"unshadowed",
+                     "unshadowed.comp",
+                     {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), storageAt(2, stage.unshadowed)},
+                     kUnshadowedSize,
+                     1,
+                     1,
+                     kEachLight,
+                     {}});
+    builder.debugView("unshadowed",
+                      "Table of unshadowed integrals of a spot or point light: share of the angles at the light along "
+                      "x, inclination along y",
                       TY_SOURCE_IMAGE, stage.unshadowed, 0, 0, 0.0f, 0.2f);
   }
   if (lights.shaped) addShine(builder, stage, rays, settings);
@@ -288,7 +334,8 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, co
     if (i == 0) passes.casterBlock = block;
     if (i == 0) passes.casterPass = pass;
     builder.debugView("projective_" + std::to_string(i),
-                      "Rectified map, rasterised, of split " + std::to_string(i) + ": slices along x, columns along y; white = no blocker",
+                      "Rectified map, rasterised, of split " + std::to_string(i) +
+                          ": slices along x, columns along y; white = no blocker",
                       TY_SOURCE_IMAGE, stage.projective, i, 0, 0.0f, 1.0f, splits == 1 ? TY_VIEW_ROWS : TY_VIEW_PLAIN);
   }
   return stage;
@@ -320,14 +367,16 @@ void prepareRectify(const FrameContext& context, bool parted) {
     block.cookie = context.block<CookieBlock>(kCookieBlock, i) = cookieBlock(light, frame.rays.eye);
     // A technique with a single class takes all lights of its kinds for it.
     for (const ClassPasses& passes : context.roles.classes)
-      if (!passes.fading && classes > 1 && (passes.kinds >> light.kind & 1u) != 0 && passes.cookie != (block.cookie.faces != 0))
+      if (!passes.fading && classes > 1 && (passes.kinds >> light.kind & 1u) != 0 &&
+          passes.cookie != (block.cookie.faces != 0))
         for (const std::uint32_t pass : passes.passes) context.skip(pass, i);
     bool fades = false;
     if (light.kind == TY_LIGHT_DIRECTIONAL) {
       block.sun = sunBlock(light, frame.rays.eye);
       input.towards = block.sun.towards;
       input.wholeView = block.cookie.faces != 0;
-      for (std::size_t corner = 0; corner < 8; ++corner) input.casterCorners[corner] = glm::make_vec3(light.caster_corners[corner]);
+      for (std::size_t corner = 0; corner < 8; ++corner)
+        input.casterCorners[corner] = glm::make_vec3(light.caster_corners[corner]);
       fades = chooseMaps(context, settings, input, i, parted, block, fading);
       const glm::vec3 a = block.sun.towards;
       block.map.shadowAlong = block.sun.shadowX * a.x + block.sun.shadowY * a.y + block.sun.shadowZ * a.z;
@@ -344,8 +393,9 @@ void prepareRectify(const FrameContext& context, bool parted) {
       setLeastWeights(light, frame.rays.eye, settings.sigma_t, block);
       block.distance = std::max(glm::length(block.local.position), kLeastDistance);
       // At the eye itself any direction will do.
-      block.sun.towards = input.towards =
-          glm::length(block.local.position) < kLeastDistance ? -frame.rays.forward : block.local.position / block.distance;
+      block.sun.towards = input.towards = glm::length(block.local.position) < kLeastDistance
+                                              ? -frame.rays.forward
+                                              : block.local.position / block.distance;
       if (light.kind == TY_LIGHT_SPOT) {
         input.coneAxis = block.local.axis;
         input.cosOuter = block.local.cosOuter;

@@ -1,8 +1,9 @@
-// The level in small that pipelines are made ahead with: every kind of drawing is in it, nothing else of the level's size.
+// The level in small that pipelines are made ahead with: every kind of drawing is in it, nothing else of the level's
+// size.
 #include <set>
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "stand_in.hpp"
 
@@ -18,7 +19,8 @@ TEST(StandIn, SidesStayPowersOfTwoOrNot) {
 TEST(StandIn, HasEachMaterialOnceForEachHandedness) {
   scene::Scene level;
   level.materials.resize(3);
-  level.images = {{"bricks", 256, 100, std::vector<std::uint8_t>(256 * 100 * 4)}, {"glass", 64, 64, std::vector<std::uint8_t>(64 * 64 * 4, 7)}};
+  level.images = {{"bricks", 256, 100, std::vector<std::uint8_t>(256 * 100 * 4)},
+                  {"glass", 64, 64, std::vector<std::uint8_t>(64 * 64 * 4, 7)}};
   level.textures = {{0, {}}, {1, {}}};
   level.materials[0].baseColorTexture.texture = 0;
   scene::Primitive many;
@@ -51,17 +53,20 @@ TEST(StandIn, HasEachMaterialOnceForEachHandedness) {
   ASSERT_EQ(small.scene.nodes.size(), small.worldFromNode.size());
   std::multiset<std::pair<bool, std::int32_t>> kinds;
   for (std::size_t n = 0; n < small.scene.nodes.size(); ++n)
-    for (const scene::Primitive& p : small.scene.meshes[static_cast<std::size_t>(small.scene.nodes[n].mesh)].primitives) {
+    for (const scene::Primitive& p :
+         small.scene.meshes[static_cast<std::size_t>(small.scene.nodes[n].mesh)].primitives) {
       kinds.emplace(glm::determinant(glm::mat3(small.worldFromNode[n])) < 0, p.material);
       EXPECT_EQ(p.indices.size(), 3u);
       // Before the camera, beyond its near plane: culled triangles would compile nothing.
       for (const scene::Vertex& v : p.vertices) {
-        const glm::vec3 seen(glm::inverse(frame.camera.worldFromView) * small.worldFromNode[n] * glm::vec4(v.position, 1));
+        const glm::vec3 seen(glm::inverse(frame.camera.worldFromView) * small.worldFromNode[n] *
+                             glm::vec4(v.position, 1));
         EXPECT_LT(seen.z, -frame.camera.camera.znear);
         EXPECT_LT(std::max(std::abs(seen.x), std::abs(seen.y)), -0.2f * seen.z);
       }
     }
-  EXPECT_EQ(kinds, (std::multiset<std::pair<bool, std::int32_t>>{{false, 0}, {false, 1}, {false, 2}, {false, scene::kNone}, {true, 0}, {true, 1}}));
+  EXPECT_EQ(kinds, (std::multiset<std::pair<bool, std::int32_t>>{
+                       {false, 0}, {false, 1}, {false, 2}, {false, scene::kNone}, {true, 0}, {true, 1}}));
   EXPECT_EQ(small.scene.materials.size(), level.materials.size());
   EXPECT_EQ(small.scene.images[0].width, 2u);
   EXPECT_EQ(small.scene.images[0].height, 3u);

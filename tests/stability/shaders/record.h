@@ -8,7 +8,7 @@
 
 struct Record {
   int routine;
-  int option;       // moments: stored through the quantisation transform or not; medium: which
+  int option;  // moments: stored through the quantisation transform or not; medium: which
   float values[9];
 };
 

@@ -12,7 +12,7 @@
 namespace tyndall::app {
 
 struct Level {
-  std::string name;                   ///< the sample's name or the path, as it was asked for
+  std::string name;  ///< the sample's name or the path, as it was asked for
   std::filesystem::path path;
   scene::Scene scene;
   std::vector<std::string> warnings;  ///< of the importer, each starting with the path

@@ -17,10 +17,11 @@ struct ResourceMemory {
   std::string firstPass, lastPass;  ///< of the frame, that use it; "" for what is kept
 };
 
-/// What is kept from frame to frame, the largest first. Together they are all that the device has allocated; the memory that a frame's passing images
-/// and buffers share is among them.
+/// What is kept from frame to frame, the largest first. Together they are all that the device has allocated; the memory
+/// that a frame's passing images and buffers share is among them.
 std::vector<ResourceMemory> keptMemory(const gpu::Device& device);
-/// The last submitted frame's passing images and buffers, the largest first. Together they are more than the memory that they share.
+/// The last submitted frame's passing images and buffers, the largest first. Together they are more than the memory
+/// that they share.
 std::vector<ResourceMemory> passingMemory(const Session& session);
 
 }  // namespace tyndall::app

@@ -15,7 +15,8 @@ class Outputs {
   using Write = std::function<Result<void>(const std::filesystem::path&)>;
 
   /// Registers an output of `option` ("--out"). Checked at once, before any work: the path ends in `extension` (any
-  /// case), its folder exists and can be written to, it is no folder or special file itself, and no other output has it.
+  /// case), its folder exists and can be written to, it is no folder or special file itself, and no other output has
+  /// it.
   Result<void> add(const std::string& option, const std::filesystem::path& path, const std::string& extension);
   /// A file that the call reads, which no output may replace.
   void protect(const std::filesystem::path& path) { inputs_.push_back(path); }

@@ -7,8 +7,8 @@
 
 namespace tyndall::app {
 
-/// The path itself, or, without a slash and without .json, a preset that comes with the program (presets/ beside it). An unknown name is a bad
-/// call that lists them.
+/// The path itself, or, without a slash and without .json, a preset that comes with the program (presets/ beside it).
+/// An unknown name is a bad call that lists them.
 Result<std::filesystem::path> findPreset(const std::filesystem::path& asked);
 
 }  // namespace tyndall::app

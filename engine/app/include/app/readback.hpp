@@ -27,8 +27,8 @@ class Readback {
   image::FloatImage distance() const;  ///< metres along the ray
 
  private:
-  Result<void> copy(Session& session, render::Graph& graph, const char* name, render::ImageRef image, std::uint64_t texelBytes,
-                    gpu::Buffer& buffer);
+  Result<void> copy(Session& session, render::Graph& graph, const char* name, render::ImageRef image,
+                    std::uint64_t texelBytes, gpu::Buffer& buffer);
   std::uint32_t width_ = 0, height_ = 0;
   bool scatterIsEmpty_ = false;
   gpu::Buffer picture_, scatter_, distance_;

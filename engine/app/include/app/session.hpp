@@ -30,10 +30,10 @@ namespace tyndall::app {
 struct FrameRequest {
   std::uint32_t width = 1280, height = 720;
   scene::CameraView camera;
-  double seconds = 0;        ///< time of the level's animations
-  std::string debugView;     ///< "" = the picture
+  double seconds = 0;                ///< time of the level's animations
+  std::string debugView;             ///< "" = the picture
   std::vector<std::string> views{};  ///< debug views to be handed out beside the picture (see ViewReadback)
-  bool reset = false;        ///< a cut: what was kept from earlier frames is worthless
+  bool reset = false;                ///< a cut: what was kept from earlier frames is worthless
 };
 
 class Session {
@@ -46,8 +46,9 @@ class Session {
   Result<void> setLevel(Level level);
   /// How often a level was set: another number, another level.
   std::uint64_t levelsSet() const { return levelsSet_; }
-  /// Lights, where nodes stand, and the numbers of materials may be changed between frames; the next one shows it. Nothing
-  /// else of the scene may (meshes, textures, which of them a material has, alpha modes): the rest is uploaded. A level must be set.
+  /// Lights, where nodes stand, and the numbers of materials may be changed between frames; the next one shows it.
+  /// Nothing else of the scene may (meshes, textures, which of them a material has, alpha modes): the rest is uploaded.
+  /// A level must be set.
   scene::Scene& editScene() { return level_->scene; }
   const Level* level() const { return level_ ? &*level_ : nullptr; }
 
@@ -65,8 +66,8 @@ class Session {
   const std::vector<render::PassTime>& lastPassTimes() const { return lastTimes_; }
   std::uint64_t finishedFrames() const { return finished_; }  ///< frames whose times were taken
 
-  /// What changed parameters need is built beside the frames (host::PluginEffect, render::FrameBuilder), which go on with the values before. Off from
-  /// the start, so that a frame is always of the table's values.
+  /// What changed parameters need is built beside the frames (host::PluginEffect, render::FrameBuilder), which go on
+  /// with the values before. Off from the start, so that a frame is always of the table's values.
   void buildInBackground(bool on);
   using Background = host::PluginEffect::Background;
   /// kBuilding: something is being built, and frames show what was; kReady: the next frame goes on with it.
@@ -91,7 +92,7 @@ class Session {
 
   /// The greatest side a picture can have on this device, pixels.
   std::uint32_t maxSide() const;
-  const render::GraphStatistics& statistics() const { return statistics_; }  ///< of the last submitted frame
+  const render::GraphStatistics& statistics() const { return statistics_; }            ///< of the last submitted frame
   const std::vector<render::TransientUse>& transients() const { return transients_; }  ///< of the last submitted frame
 
  private:
@@ -114,7 +115,7 @@ class Session {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::FrameBuilder> frameBuilder_;
   std::unique_ptr<host::PluginEffect> effect_;
-  std::array<Slot, 2> slots_;            ///< as many as the device has frames in flight
+  std::array<Slot, 2> slots_;  ///< as many as the device has frames in flight
   std::optional<Level> level_;
   std::vector<render::PassTime> lastTimes_;
   render::GraphStatistics statistics_;
@@ -126,8 +127,9 @@ class Session {
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   bool cut_ = true;
   bool inBackground_ = false;
-  std::optional<render::FrameSettings> drawn_, coming_;  ///< of frames in the background mode: the last one's, and those being built
-  bool momentsForeseen_ = false;                         ///< moment maps for the effect alone were built
+  std::optional<render::FrameSettings> drawn_,
+      coming_;                    ///< of frames in the background mode: the last one's, and those being built
+  bool momentsForeseen_ = false;  ///< moment maps for the effect alone were built
 };
 
 }  // namespace tyndall::app

@@ -8,7 +8,7 @@ namespace tyndall {
 }  // namespace tyndall
 
 /// `message` is any std::string expression; put the values there. Evaluated only when the assertion fails.
-#define TY_ASSERT(expression, message)                                                   \
-  do {                                                                                   \
+#define TY_ASSERT(expression, message)                                                    \
+  do {                                                                                    \
     if (!(expression)) ::tyndall::assertFailed(#expression, __FILE__, __LINE__, message); \
   } while (false)

@@ -16,8 +16,8 @@ namespace tyndall {
 Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, std::uint64_t maxBytes = 1ull << 31);
 Result<std::string> readText(const std::filesystem::path& path, std::uint64_t maxBytes = 1ull << 26);
 
-/// Writes to a temporary file beside `path` and renames it over `path`: a reader sees the old file or the whole new one.
-/// The folder must exist. On failure nothing is left behind.
+/// Writes to a temporary file beside `path` and renames it over `path`: a reader sees the old file or the whole new
+/// one. The folder must exist. On failure nothing is left behind.
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Result<void> writeTextAtomically(const std::filesystem::path& path, std::string_view text);
 

@@ -18,8 +18,7 @@ class Hash {
   Hash& text(std::string_view text) { return bytes(std::as_bytes(std::span(text.data(), text.size()))); }
   /// A value as it lies in memory: of types without padding.
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  Hash& add(const T& value) {
+  requires std::is_trivially_copyable_v<T> Hash& add(const T& value) {
     return bytes(std::as_bytes(std::span(&value, 1)));
   }
   std::uint64_t value() const { return value_; }

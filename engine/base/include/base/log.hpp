@@ -1,4 +1,5 @@
-// Logging by spdlog, kept out of headers (spdlog costs 6 s a file). Everything goes to stderr; stdout belongs to results.
+// Logging by spdlog, kept out of headers (spdlog costs 6 s a file). Everything goes to stderr; stdout belongs to
+// results.
 #pragma once
 
 #include <string_view>

@@ -11,8 +11,8 @@ namespace tyndall {
 
 /// Who is to blame, which decides the program's exit status.
 enum class ErrorKind {
-  kFailed,    ///< the call was right, the work failed: exit status 1
-  kBadCall,   ///< the call itself was wrong (unknown option, id, level; value out of range): exit status 2
+  kFailed,   ///< the call was right, the work failed: exit status 1
+  kBadCall,  ///< the call itself was wrong (unknown option, id, level; value out of range): exit status 2
 };
 
 /// One line: "<subject>: <what is wrong>; <what would be right>".

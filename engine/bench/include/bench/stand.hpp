@@ -23,9 +23,10 @@ class Stand {
   app::Session& session() { return *session_; }
   app::Catalogue& catalogue() { return session_->catalogue(); }
 
-  /// Renders `frames` frames with the settings and keeps the times of the last one; its scattered light if asked for. Shadow maps are kept from
-  /// frame to frame (shadows.reuse): see shadowTime().
-  Result<void> render(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int frameCount, bool scatter);
+  /// Renders `frames` frames with the settings and keeps the times of the last one; its scattered light if asked for.
+  /// Shadow maps are kept from frame to frame (shadows.reuse): see shadowTime().
+  Result<void> render(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds,
+                      int frameCount, bool scatter);
   /// What the engine's shadow maps take with the settings where nothing is kept, ms.
   Result<double> shadowTime(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds);
   /// The same until nothing of the effect that is chosen by measurement changes any more.
@@ -36,7 +37,8 @@ class Stand {
 
  private:
   Stand() = default;
-  Result<void> frames(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds, int count, bool scatter, bool keepShadows);
+  Result<void> frames(const Assignments& settings, const scene::CameraView& camera, Size size, double seconds,
+                      int count, bool scatter, bool keepShadows);
   Result<void> frame(const app::FrameRequest& request, bool scatter);
   std::unique_ptr<app::Session> session_;
   app::Readback readback_;  // after the session: its buffers go before the device

@@ -1,5 +1,5 @@
-// A sweep: which levels, sizes and settings are measured. Data, not code: techniques come from the registry, so that one that is added later
-// joins every sweep.
+// A sweep: which levels, sizes and settings are measured. Data, not code: techniques come from the registry, so that
+// one that is added later joins every sweep.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ struct Knob {
   std::string id;
   std::vector<std::string> values;
   std::vector<std::string> together;  ///< ids that take the same value
-  Assignments with;                 ///< set beside it; a technique that does not read one of these does without that one
-  std::vector<std::string> plots;   ///< families of plots that the points belong to
+  Assignments with;                ///< set beside it; a technique that does not read one of these does without that one
+  std::vector<std::string> plots;  ///< families of plots that the points belong to
 };
 
 /// What a paper measured, for the table beside ours.
@@ -51,18 +51,18 @@ struct Motion {
 
 struct Sweep {
   std::string name, doc;
-  std::vector<std::string> levels;       ///< empty: all samples
+  std::vector<std::string> levels;  ///< empty: all samples
   std::vector<std::uint32_t> cameras{0};
   Size size{1280, 720};
-  Size errorSize{320, 180};              ///< at which pictures are compared
+  Size errorSize{320, 180};  ///< at which pictures are compared
   std::uint32_t repetitions = 3;
-  double secondsPerPoint = 1e9;          ///< a point whose timed frames took longer is not repeated
+  double secondsPerPoint = 1e9;  ///< a point whose timed frames took longer is not repeated
   std::uint32_t truthSamples = 512;
-  Assignments settings;                  ///< all points share these
-  Assignments march;                     ///< the converged march, second reference
-  bool everyTechnique = true;            ///< a point with defaults of each technique that is built
+  Assignments settings;        ///< all points share these
+  Assignments march;           ///< the converged march, second reference
+  bool everyTechnique = true;  ///< a point with defaults of each technique that is built
   std::vector<Knob> knobs;
-  std::vector<Size> resolutions;         ///< every technique with defaults at each
+  std::vector<Size> resolutions;  ///< every technique with defaults at each
   std::vector<Single> singles;
   Motion motion;
 };

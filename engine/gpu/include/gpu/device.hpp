@@ -122,13 +122,13 @@ class Buffer {
   std::unique_ptr<State> state_;
 };
 
-/// One device for the program. Not thread-safe: one thread owns it. Pipelines alone may be made (not destroyed) on another
-/// thread, as long as the device lives.
+/// One device for the program. Not thread-safe: one thread owns it. Pipelines alone may be made (not destroyed) on
+/// another thread, as long as the device lives.
 class Device {
  public:
   static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
-  /// Another logical device on the same hardware, for another thread: it has a queue and memory of its own. It shares the
-  /// instance, so it must go first; the validation layer's messages about it count as this device's.
+  /// Another logical device on the same hardware, for another thread: it has a queue and memory of its own. It shares
+  /// the instance, so it must go first; the validation layer's messages about it count as this device's.
   Result<std::unique_ptr<Device>> createSibling() const;
   ~Device();
 
@@ -162,8 +162,8 @@ class Device {
   Result<void> endFrame(const FrameSignals& signals = {});
   std::uint64_t submittedFrames() const;  ///< value of the timeline semaphore once the last submitted frame is done
   Result<void> waitIdle();
-  /// Waits for the GPU and destroys at once what was let go of and what `letGo` lets go of. For a lack of memory while a
-  /// frame is being recorded: no command that uses any of it may have been recorded into that frame.
+  /// Waits for the GPU and destroys at once what was let go of and what `letGo` lets go of. For a lack of memory while
+  /// a frame is being recorded: no command that uses any of it may have been recorded into that frame.
   Result<void> destroyNow(const std::function<void()>& letGo);
 
   /// Copies the whole of one mip of one layer, tightly packed (a 3D image: all its slices), and waits. Whatever its
@@ -176,8 +176,9 @@ class Device {
                                           std::uint32_t layer = 0);
   Result<std::vector<std::byte>> readback(const Buffer& buffer);
 
-  VkDeviceSize allocatedBytes() const;       ///< in use by images and buffers, without the blocks' free space
-  std::vector<MemoryUser> memoryUsers() const;  ///< whose bytes these are, the largest first; what is let go of counts until the GPU is done with it
+  VkDeviceSize allocatedBytes() const;  ///< in use by images and buffers, without the blocks' free space
+  std::vector<MemoryUser> memoryUsers()
+      const;  ///< whose bytes these are, the largest first; what is let go of counts until the GPU is done with it
   std::uint32_t validationMessages() const;  ///< warnings and errors so far (also printed)
   void setName(VkObjectType type, std::uint64_t handle, const std::string& name);
 

@@ -76,16 +76,18 @@ class PluginEffect : public render::Effect {
   std::vector<std::pair<std::string, std::uint64_t>> counters() const;
   /// What a tunable parameter resolved to ("volumetrics.prefix_scheme", "row"), measured or asked for.
   std::vector<std::pair<std::string, std::string>> resolved() const;
-  /// The same for every parameter on automatic, as measured in this program or an earlier one: of the current layout or, before the first
-  /// addPasses, of one made for the present values without running (1280x720, one sun). An empty value: not measured yet.
+  /// The same for every parameter on automatic, as measured in this program or an earlier one: of the current layout
+  /// or, before the first addPasses, of one made for the present values without running (1280x720, one sun). An empty
+  /// value: not measured yet.
   std::vector<std::pair<std::string, std::string>> remembered() const;
   /// Call once per finished frame with its pass times: feeds the tuner of speed-only variants.
   void frameFinished(const std::vector<render::PassTime>& passes);
   std::vector<std::string> reloadShaders();
 
-  /// On: where a changed parameter needs a new layout, frames go on with the old one until the new one's pipelines and images are
-  /// there, made on another thread; the newest change wins, and what cannot be made leaves the old one (see failure()). Only a
-  /// change of the picture's size or of the lights is followed at once. Off, as from the start: every change is.
+  /// On: where a changed parameter needs a new layout, frames go on with the old one until the new one's pipelines and
+  /// images are there, made on another thread; the newest change wins, and what cannot be made leaves the old one (see
+  /// failure()). Only a change of the picture's size or of the lights is followed at once. Off, as from the start:
+  /// every change is.
   void buildInBackground(bool on);
   enum class Background {
     kIdle,
@@ -95,22 +97,23 @@ class PluginEffect : public render::Effect {
   Background background() const;
   /// Whether the layout, or the one that is being built, reads moment shadow maps.
   bool readsShadowMoments() const;
-  /// Call one of these after addPasses(): the frame was submitted, or it was not, because of `reason`. If it was the first of a
-  /// layout made in the background, the one before comes back.
+  /// Call one of these after addPasses(): the frame was submitted, or it was not, because of `reason`. If it was the
+  /// first of a layout made in the background, the one before comes back.
   void frameSubmitted();
   void frameDropped(const Error& reason);
   /// What the passes of the last finished frame used: images, buffers, the output, each on its own. Those of passes
   /// that the graph dropped (debug views that are not shown) do not count, history always does.
   std::uint64_t memoryBytes() const;
-  /// Bytes that the passes of the last finished frame moved if each read and wrote every part of the plugin's own images and buffers, and of the
-  /// output, that it was bound to once: over a device's bandwidth, about the least time that they can take. Nothing where several lights have
-  /// passes: they take turns in images of which each uses a part.
+  /// Bytes that the passes of the last finished frame moved if each read and wrote every part of the plugin's own
+  /// images and buffers, and of the output, that it was bound to once: over a device's bandwidth, about the least time
+  /// that they can take. Nothing where several lights have passes: they take turns in images of which each uses a part.
   std::optional<std::uint64_t> bytesMoved() const;
-  /// What the passes of each light, most important first, touched in the last finished frame, the output aside. Lights take turns in the same
-  /// memory, so that these do not add up to memoryBytes(); 0: the light reached no view ray, or has no passes of its own.
+  /// What the passes of each light, most important first, touched in the last finished frame, the output aside. Lights
+  /// take turns in the same memory, so that these do not add up to memoryBytes(); 0: the light reached no view ray, or
+  /// has no passes of its own.
   std::vector<std::uint64_t> lightMemoryBytes() const;
-  /// Why the plugin is off or, when built in the background, still has the layout of earlier settings: a layout was refused
-  /// or could not be made (also logged, once). A changed setting or shader starts anew.
+  /// Why the plugin is off or, when built in the background, still has the layout of earlier settings: a layout was
+  /// refused or could not be made (also logged, once). A changed setting or shader starts anew.
   const std::optional<Error>& failure() const;
 
   struct State;

@@ -73,7 +73,7 @@ struct LayoutContext {
   std::uint32_t width = 1, height = 1;
   std::vector<std::uint32_t> lightKinds;
   std::uint32_t valueCount = 0;
-  std::vector<bool> structural;  ///< of each parameter
+  std::vector<bool> structural;                     ///< of each parameter
   std::uint32_t shadowMoments = TY_FORMAT_UNKNOWN;  ///< TyFormat of the lights' moment shadow maps
   bool cookies = false;                             ///< the renderer offers the lights' cookies
 };
@@ -123,8 +123,8 @@ inline bool isHistory(const LayoutBuffer& buffer) { return (buffer.d.flags & TY_
 bool isInteger(std::uint32_t format);             ///< a *_UINT format
 std::uint32_t formatBytes(std::uint32_t format);  ///< of one texel; 0 for an unknown format
 std::uint64_t imageBytes(const TyImage& image);   ///< of all mips and layers, tightly packed
-/// Bytes that one run of a pass moves if every part of the layout's images and buffers, and of an output of `outputBytes`, that it is bound to is
-/// read once, written once, or both; what is the engine's does not count.
+/// Bytes that one run of a pass moves if every part of the layout's images and buffers, and of an output of
+/// `outputBytes`, that it is bound to is read once, written once, or both; what is the engine's does not count.
 std::uint64_t bytesMoved(const Layout& layout, const LayoutPass& pass, std::uint64_t outputBytes);
 
 }  // namespace tyndall::host

@@ -18,19 +18,19 @@ enum class Type { kBool, kInt, kFloat, kEnum };
 
 /// One parameter. Values are held as double whatever the type (bool 0/1, enum = index of the choice): exact up to 2^53.
 struct Parameter {
-  std::string id;     ///< "volumetrics.steps"; the part before the dot is the group
-  std::string name;   ///< "Steps"
-  std::string unit;   ///< "1/m", "" if none
-  std::string doc;    ///< one or two sentences
+  std::string id;    ///< "volumetrics.steps"; the part before the dot is the group
+  std::string name;  ///< "Steps"
+  std::string unit;  ///< "1/m", "" if none
+  std::string doc;   ///< one or two sentences
   Type type = Type::kFloat;
   double defaultValue = 0;
-  double min = 0, max = 1;               ///< inclusive, for kInt and kFloat
-  double builtMin = 0, builtMax = 1;     ///< values outside this but inside [min, max] are refused as "not built yet"
-  std::vector<std::string> choices;      ///< for kEnum
-  std::vector<bool> built;               ///< per choice (kEnum), or {false built, true built} (kBool); empty: all
-  bool structural = false;               ///< a change needs a new layout
-  bool logarithmic = false;              ///< for the editor's slider
-  std::string owner;                     ///< "engine" or the plugin's id
+  double min = 0, max = 1;            ///< inclusive, for kInt and kFloat
+  double builtMin = 0, builtMax = 1;  ///< values outside this but inside [min, max] are refused as "not built yet"
+  std::vector<std::string> choices;   ///< for kEnum
+  std::vector<bool> built;            ///< per choice (kEnum), or {false built, true built} (kBool); empty: all
+  bool structural = false;            ///< a change needs a new layout
+  bool logarithmic = false;           ///< for the editor's slider
+  std::string owner;                  ///< "engine" or the plugin's id
 };
 
 /// A value as text: "true", "17", "0.03", "moments6".
@@ -54,8 +54,8 @@ class Table {
 
   std::span<const Parameter> parameters() const { return parameters_; }
   const Parameter* find(std::string_view id) const;
-  double value(std::string_view id) const;   ///< asserts that the id exists
-  bool changed(std::string_view id) const;   ///< differs from the default
+  double value(std::string_view id) const;  ///< asserts that the id exists
+  bool changed(std::string_view id) const;  ///< differs from the default
   Result<void> set(std::string_view id, double value);
   /// "id=value" or separate id and text; an unknown id is answered with the nearest valid name.
   Result<void> setText(std::string_view id, std::string_view text);
@@ -64,15 +64,18 @@ class Table {
   /// Ids set explicitly (by setText/set), for "unused" reports.
   std::vector<std::string> assigned() const;
 
-  /// Preset: a JSON object {"id": value, ...}, also nested under "settings"; numbers, booleans and strings. An object "evidence" beside
-  /// them, which says where the values come from, is passed over. All or
-  /// nothing: on an error no value changes. `source` names the file in errors. Malformed JSON is ErrorKind::kFailed;
-  /// an unknown or repeated id or a refused value is kBadCall.
+  /// Preset: a JSON object {"id": value, ...}, also nested under "settings"; numbers, booleans and strings. An object
+  /// "evidence" beside them, which says where the values come from, is passed over. All or nothing: on an error no
+  /// value changes. `source` names the file in errors. Malformed JSON is ErrorKind::kFailed; an unknown or repeated id
+  /// or a refused value is kBadCall.
   Result<void> readPreset(std::string_view json, std::string_view source);
   std::string writePreset(bool changedOnly) const;
 
  private:
-  struct Remembered { std::string text; bool assigned = false; };
+  struct Remembered {
+    std::string text;
+    bool assigned = false;
+  };
   std::optional<std::size_t> indexOf(std::string_view id) const;
   Error unknownId(std::string_view id) const;
 

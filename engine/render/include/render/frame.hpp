@@ -33,21 +33,22 @@ View makeView(const scene::CameraView& camera, std::uint32_t width, std::uint32_
 /// A light with its shadow map, as effects see it. Depth stored: 0 nearest the light, 1 where nothing was drawn.
 struct ShadowedLight {
   scene::LightView light;
-  ImageRef shadowMap;                       ///< D32 array image of this light's own: 1 layer, 6 for a point light
-  /// Four-moment shadow map of the same size, with all mips: RGBA16 unorm (quantised) or RGBA32F. Passes that make it run
-  /// only if something reads it. Empty where the device cannot filter the format.
+  ImageRef shadowMap;  ///< D32 array image of this light's own: 1 layer, 6 for a point light
+  /// Four-moment shadow map of the same size, with all mips: RGBA16 unorm (quantised) or RGBA32F. Passes that make it
+  /// run only if something reads it. Empty where the device cannot filter the format.
   ImageRef moments;
   std::uint32_t faceCount = 1;
-  std::uint32_t size = 0;                   ///< texels a side
-  std::array<glm::mat4, 6> clipFromWorld{}; ///< of each face
-  std::array<glm::vec3, 8> casterCorners{}; ///< corners of the box of all casters, world space
-  /// The image that the light shines through: layers [cookieLayer, cookieLayer + cookieFaces) of an array that all lights
-  /// share, linear colours with all mips; a white texel (layer 0) for a light without. Empty: nothing of this is offered.
+  std::uint32_t size = 0;                    ///< texels a side
+  std::array<glm::mat4, 6> clipFromWorld{};  ///< of each face
+  std::array<glm::vec3, 8> casterCorners{};  ///< corners of the box of all casters, world space
+  /// The image that the light shines through: layers [cookieLayer, cookieLayer + cookieFaces) of an array that all
+  /// lights share, linear colours with all mips; a white texel (layer 0) for a light without. Empty: nothing of this is
+  /// offered.
   ImageRef cookie;
   std::uint32_t cookieLayer = 0;
-  std::uint32_t cookieFaces = 0;            ///< 0: none; 1, or the 6 of a point light
-  std::uint32_t cookieRepeats = 0;          ///< bit 0 along x, bit 1 along y; else the image's border goes on
-  glm::mat4 cookieFromWorld{1};             ///< TyLight.cookie_from_world
+  std::uint32_t cookieFaces = 0;    ///< 0: none; 1, or the 6 of a point light
+  std::uint32_t cookieRepeats = 0;  ///< bit 0 along x, bit 1 along y; else the image's border goes on
+  glm::mat4 cookieFromWorld{1};     ///< TyLight.cookie_from_world
 };
 
 /// What the numbers of a debug view mean: TyViewRole of the plugins' ABI.
@@ -68,9 +69,9 @@ enum class ViewRole {
 struct EffectInput {
   Graph& graph;
   const View& view;
-  ImageRef depth;                           ///< D32, reversed
-  const std::vector<ShadowedLight>& lights; ///< only lights that have shadow maps
-  bool reset = false;                       ///< a cut: history is worthless
+  ImageRef depth;                            ///< D32, reversed
+  const std::vector<ShadowedLight>& lights;  ///< only lights that have shadow maps
+  bool reset = false;                        ///< a cut: history is worthless
   /// Draws all shadow casters (alpha-tested where needed) inside a caster pass's rendering: every vertex is
   /// transformed by
   /// `clipFromWorld` alone; depth clamp on, both faces. The rendering has one D32 target and no colour; depth is tested
@@ -87,7 +88,12 @@ class Effect {
   /// is nothing to do (scatter 0, transmittance 1).
   virtual Result<ImageRef> addPasses(const EffectInput& input) = 0;
   /// An image to show instead of the picture for this debug view, or empty if the view is not the effect's.
-  struct DebugImage { ImageRef image; gpu::ViewDesc view{}; std::uint32_t channel = 4; float low = 0, high = 1; };
+  struct DebugImage {
+    ImageRef image;
+    gpu::ViewDesc view{};
+    std::uint32_t channel = 4;
+    float low = 0, high = 1;
+  };
   virtual DebugImage debugImage(const std::string& name) = 0;
 };
 
@@ -95,26 +101,32 @@ class Effect {
 enum class ShadowMode { kPcf, kMoments };
 
 struct FrameSettings {
-  float exposure = 1;                 ///< linear factor before the tone map
+  float exposure = 1;  ///< linear factor before the tone map
   std::uint32_t shadowResolution = 2048;
-  bool reuseShadows = false;          ///< maps outlive the frame and are drawn again only when their light or a caster has changed
+  bool reuseShadows =
+      false;  ///< maps outlive the frame and are drawn again only when their light or a caster has changed
   ShadowMode shadowMode = ShadowMode::kPcf;
-  std::uint32_t shadowPrecision = 64; ///< bits per texel of moment shadow maps: 64 or 128
-  std::string debugView;              ///< "" = the picture; engine views: see debugViews()
-  std::vector<std::string> offered;   ///< debug views whose images are handed out beside the picture (FrameOutput::views)
+  std::uint32_t shadowPrecision = 64;  ///< bits per texel of moment shadow maps: 64 or 128
+  std::string debugView;               ///< "" = the picture; engine views: see debugViews()
+  std::vector<std::string>
+      offered;  ///< debug views whose images are handed out beside the picture (FrameOutput::views)
 };
 
 struct FrameOutput {
-  ImageRef picture;                   ///< RGBA8 unorm, sRGB-coded
-  ImageRef scatter;                   ///< RGBA32F, empty when the effect had nothing to do
-  ImageRef depth;                     ///< D32, reversed
-  ImageRef color;                     ///< RGBA32F radiance of surfaces and sky, before medium, exposure and tone map
-  /// Of FrameSettings::offered, in its order; no image where this frame has none. Passes that only they need run if a later pass reads them.
+  ImageRef picture;  ///< RGBA8 unorm, sRGB-coded
+  ImageRef scatter;  ///< RGBA32F, empty when the effect had nothing to do
+  ImageRef depth;    ///< D32, reversed
+  ImageRef color;    ///< RGBA32F radiance of surfaces and sky, before medium, exposure and tone map
+  /// Of FrameSettings::offered, in its order; no image where this frame has none. Passes that only they need run if a
+  /// later pass reads them.
   std::vector<Effect::DebugImage> views;
 };
 
 /// Name and help of each of the engine's own debug views ("depth", "normal", "base_color", "shadow_map", ...).
-struct DebugViewInfo { std::string name, doc; ViewRole role = ViewRole::kPlain; };
+struct DebugViewInfo {
+  std::string name, doc;
+  ViewRole role = ViewRole::kPlain;
+};
 
 class PipelineLibrary;
 
@@ -128,7 +140,7 @@ class Renderer {
   Result<void> setScene(const scene::Scene& scene);
 
   struct Input {
-    const scene::Scene& scene;                    ///< the one given to setScene
+    const scene::Scene& scene;  ///< the one given to setScene
     std::vector<glm::mat4> worldFromNode;
     scene::CameraView camera;
     std::vector<scene::LightView> lights;
@@ -155,6 +167,7 @@ class Renderer {
   const std::vector<std::string>& notes() const;
 
   struct State;
+
  private:
   friend class FrameBuilder;
   Renderer() = default;

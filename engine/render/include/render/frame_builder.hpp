@@ -8,10 +8,11 @@
 
 namespace tyndall::render {
 
-/// Draws one tiny frame with the settings to come on a device and a thread of its own, with every material of the level on one triangle. From it come
-/// the pipelines that the settings need, which are then made on the renderer's device, and, where a driver compiles at the first draw (llvmpipe), their
-/// code, which reaches that device through the driver's cache on disk. What is not foreseen so is compiled in a frame, as without this.
-/// Called by the thread that owns the device.
+/// Draws one tiny frame with the settings to come on a device and a thread of its own, with every material of the level
+/// on one triangle. From it come the pipelines that the settings need, which are then made on the renderer's device,
+/// and, where a driver compiles at the first draw (llvmpipe), their code, which reaches that device through the
+/// driver's cache on disk. What is not foreseen so is compiled in a frame, as without this. Called by the thread that
+/// owns the device.
 class FrameBuilder {
  public:
   /// `shaderFolder`: as the renderer's.

@@ -65,7 +65,8 @@ struct GraphStatistics {
   std::uint32_t passesDeclared = 0, passesRun = 0, barriers = 0;
   VkDeviceSize transientBytes = 0;          ///< memory of transients, shared
   VkDeviceSize transientBytesUnshared = 0;  ///< what they would take each on its own
-  /// The memory was made anew in this frame, and there was room only once the old had been freed: the GPU was waited for.
+  /// The memory was made anew in this frame, and there was room only once the old had been freed: the GPU was waited
+  /// for.
   bool waitedForMemory = false;
 };
 
@@ -140,7 +141,7 @@ class Graph {
   /// Names and owners of the passes that record() ran (idle ones left out), in the order of Timestamps::milliseconds().
   std::vector<PassTime> passes() const;
   GraphStatistics statistics() const;
-  std::vector<TransientUse> transients() const;         ///< in the order of their declaration, without what no kept pass uses
+  std::vector<TransientUse> transients() const;  ///< in the order of their declaration, without what no kept pass uses
   VkDeviceSize ownerBytes(std::string_view owner) const;  ///< memory of that owner's transients, unshared
 
   struct State;

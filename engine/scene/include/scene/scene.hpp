@@ -17,10 +17,10 @@ inline constexpr std::int32_t kNone = -1;
 
 struct Vertex {
   glm::vec3 position{0};
-  glm::vec3 normal{0, 0, 1};     ///< unit length
-  glm::vec4 tangent{1, 0, 0, 1}; ///< xyz unit length, w = handedness (+1 or -1)
+  glm::vec3 normal{0, 0, 1};      ///< unit length
+  glm::vec4 tangent{1, 0, 0, 1};  ///< xyz unit length, w = handedness (+1 or -1)
   glm::vec2 uv{0};
-  glm::vec4 color{1};            ///< linear, multiplies the base colour
+  glm::vec4 color{1};  ///< linear, multiplies the base colour
 };
 
 /// Axis-aligned box; empty when min > max.
@@ -28,8 +28,16 @@ struct Bounds {
   glm::vec3 min{1e30f};
   glm::vec3 max{-1e30f};
   bool empty() const { return min.x > max.x; }
-  void add(const glm::vec3& p) { min = glm::min(min, p); max = glm::max(max, p); }
-  void add(const Bounds& b) { if (!b.empty()) { add(b.min); add(b.max); } }
+  void add(const glm::vec3& p) {
+    min = glm::min(min, p);
+    max = glm::max(max, p);
+  }
+  void add(const Bounds& b) {
+    if (!b.empty()) {
+      add(b.min);
+      add(b.max);
+    }
+  }
 };
 
 /// A triangle list with one material.
@@ -87,7 +95,7 @@ struct Material {
   glm::vec4 baseColor{1};
   float metallic = 1;
   float roughness = 1;
-  glm::vec3 emissive{0};         ///< radiance-like factor, KHR_materials_emissive_strength already applied
+  glm::vec3 emissive{0};  ///< radiance-like factor, KHR_materials_emissive_strength already applied
   float normalScale = 1;
   float occlusionStrength = 1;
   float alphaCutoff = 0.5f;
@@ -99,7 +107,7 @@ struct Material {
 
 struct Node {
   std::string name;
-  std::int32_t parent = kNone;   ///< always smaller than the node's own index (parents come first)
+  std::int32_t parent = kNone;  ///< always smaller than the node's own index (parents come first)
   glm::vec3 translation{0};
   glm::quat rotation{1, 0, 0, 0};
   glm::vec3 scale{1};
@@ -107,15 +115,15 @@ struct Node {
   std::int32_t mesh = kNone;
   std::int32_t camera = kNone;
   std::int32_t light = kNone;
-  std::uint32_t order = 0;       ///< place in the file's own list of nodes, which may have children before parents
+  std::uint32_t order = 0;  ///< place in the file's own list of nodes, which may have children before parents
 };
 
 /// A perspective camera.
 struct Camera {
   std::string name;
-  float yfov = 0.9f;                 ///< vertical field of view, radians, (0, pi)
-  float znear = 0.1f;                ///< metres, > 0
-  std::optional<float> zfar;         ///< metres, > znear; absent: 1000 m (kDefaultFar)
+  float yfov = 0.9f;          ///< vertical field of view, radians, (0, pi)
+  float znear = 0.1f;         ///< metres, > 0
+  std::optional<float> zfar;  ///< metres, > znear; absent: 1000 m (kDefaultFar)
 };
 inline constexpr float kDefaultFar = 1000.0f;
 
@@ -124,8 +132,8 @@ enum class LightKind { kDirectional, kSpot, kPoint };
 /// An image that a light shines through (a gobo): its colour, sRGB-coded, multiplies the light's. How it is projected:
 /// docs/conventions.md, "Cookies". Always filtered linearly; alpha is not read.
 struct Cookie {
-  std::int32_t texture = kNone;      ///< index into Scene::textures
-  glm::vec2 size{10};                ///< directional: width and height of one tile, metres, > 0; not read for others
+  std::int32_t texture = kNone;  ///< index into Scene::textures
+  glm::vec2 size{10};            ///< directional: width and height of one tile, metres, > 0; not read for others
 };
 /// A spot light's cookie spans its cone up to this half angle, radians (89 degrees), as the plane of a right angle is
 /// infinitely large; the image's border goes on beyond.
@@ -141,8 +149,8 @@ struct Light {
   LightKind kind = LightKind::kDirectional;
   glm::vec3 color{1};
   float intensity = 1;
-  std::optional<float> range;        ///< metres; absent: infinite
-  float innerConeAngle = 0;          ///< radians, half angle
+  std::optional<float> range;  ///< metres; absent: infinite
+  float innerConeAngle = 0;    ///< radians, half angle
   float outerConeAngle = 0.7853982f;
   std::optional<Cookie> cookie{};
 };
@@ -154,8 +162,9 @@ struct AnimationChannel {
   std::int32_t node = kNone;
   AnimationTarget target = AnimationTarget::kTranslation;
   Interpolation interpolation = Interpolation::kLinear;
-  std::vector<float> times;        ///< seconds, strictly increasing
-  std::vector<glm::vec4> values;   ///< one per time; three (in-tangent, value, out-tangent) per time for cubic splines; quaternions are x,y,z,w
+  std::vector<float> times;       ///< seconds, strictly increasing
+  std::vector<glm::vec4> values;  ///< one per time; three (in-tangent, value, out-tangent) per time for cubic splines;
+                                  ///< quaternions are x,y,z,w
 };
 
 struct Animation {
@@ -166,7 +175,7 @@ struct Animation {
 
 struct Scene {
   std::string name;
-  std::vector<Node> nodes;           ///< parents before children; only nodes of the default scene
+  std::vector<Node> nodes;  ///< parents before children; only nodes of the default scene
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Texture> textures;
@@ -184,7 +193,7 @@ Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& worldFromNo
 
 /// A camera placed in the world.
 struct CameraView {
-  glm::mat4 worldFromView{1};   ///< rigid (scale of the node removed), the view looks down -Z
+  glm::mat4 worldFromView{1};  ///< rigid (scale of the node removed), the view looks down -Z
   Camera camera;
   std::string name;
 };

@@ -25,8 +25,8 @@ struct Settings {
   std::uint32_t height = 180;
   double seconds = 0;  ///< time of the animations
   Medium medium;
-  /// Shadow rays per view ray and light, at the midpoints of strata of the part of the ray that can be lit and shadowed:
-  /// of equal transmittance for a directional light, of equal angle as seen from a spot or point light.
+  /// Shadow rays per view ray and light, at the midpoints of strata of the part of the ray that can be lit and
+  /// shadowed: of equal transmittance for a directional light, of equal angle as seen from a spot or point light.
   std::uint32_t samples = 1024;
   unsigned threads = 0;  ///< 0: all cores
   /// Called now and then, from the calling thread, with the share done in [0, 1]; return false to cancel.

@@ -11,9 +11,9 @@
 namespace volumetrics {
 namespace {
 
-constexpr std::array kReads = {TY_RECTIFY_READS,          "volumetrics.reference_rays", "volumetrics.reference_ray",
-                               "volumetrics.weights",     "volumetrics.prefix_bounds",  "volumetrics.prefix_scheme",
-                               "volumetrics.precision",   "volumetrics.levels"};
+constexpr std::array kReads = {TY_RECTIFY_READS,        "volumetrics.reference_rays", "volumetrics.reference_ray",
+                               "volumetrics.weights",   "volumetrics.prefix_bounds",  "volumetrics.prefix_scheme",
+                               "volumetrics.precision", "volumetrics.levels"};
 
 /// A device may end loops after so many iterations of one invocation; some are left for what is not counted here.
 constexpr std::uint32_t kMostIterations = 60000;
@@ -37,7 +37,8 @@ struct Matrix {
 Matrix matrixOf(const Settings& settings, std::uint32_t columns, const LightClass& lights) {
   Matrix matrix{};
   matrix.bits = static_cast<std::uint32_t>(std::bit_width(columns - 1));
-  matrix.levels = settings.levels == 0 ? matrix.bits : std::min(static_cast<std::uint32_t>(settings.levels), matrix.bits);
+  matrix.levels =
+      settings.levels == 0 ? matrix.bits : std::min(static_cast<std::uint32_t>(settings.levels), matrix.bits);
   matrix.binBits = std::min(matrix.bits + 1, kMostBinBits);
   matrix.channels = static_cast<std::uint32_t>(settings.reference_rays) * (lights.coloured ? 3 : 1);
   matrix.vectors = (matrix.channels + 4) / 4;
@@ -49,8 +50,8 @@ struct LevelRange {
   std::uint32_t first, last;
 };
 
-/// Passes of exact_build.comp that build all levels: as few as a device's limit of iterations allows, or, for the block scheme, so that
-/// all but the first levels are built by many invocations a row on little memory each.
+/// Passes of exact_build.comp that build all levels: as few as a device's limit of iterations allows, or, for the block
+/// scheme, so that all but the first levels are built by many invocations a row on little memory each.
 std::vector<LevelRange> buildPasses(const Matrix& matrix, bool block) {
   const std::uint32_t sorting = 2 * matrix.elements() + 2 * (1u << matrix.binBits);
   if (!block && sorting + matrix.levels * matrix.elements() <= kMostIterations) return {{0, matrix.levels}};
@@ -72,9 +73,11 @@ struct Scan {
 Scan scanOf(const TyDevice& device, const Matrix& matrix, bool sixteenBit) {
   const std::uint32_t shared = std::max(device.max_shared_memory, kLeastSharedBytes);
   const std::uint32_t subgroup = std::bit_floor(std::max(device.subgroup_size, 1u));
-  const std::uint32_t most = std::min(std::bit_floor(std::max(device.max_workgroup_invocations, kLeastInvocations)), kMostScanLanes);
+  const std::uint32_t most =
+      std::min(std::bit_floor(std::max(device.max_workgroup_invocations, kLeastInvocations)), kMostScanLanes);
   Scan scan;
-  scan.lanes = device.is_cpu != 0 ? subgroup : std::clamp(matrix.elements() / kScanElements, subgroup, std::max(most, subgroup));
+  scan.lanes =
+      device.is_cpu != 0 ? subgroup : std::clamp(matrix.elements() / kScanElements, subgroup, std::max(most, subgroup));
   scan.lanes = std::min(scan.lanes, matrix.elements() / 2);
   const std::uint32_t quads = (1 + 2 * matrix.channels + 3) / 4;
   const std::uint32_t own = matrix.elements() / scan.lanes;
@@ -100,13 +103,18 @@ struct Images {
   std::uint32_t bounds, levels, ranks;
 };
 
-void addBuild(const LayoutContext& context, LayoutBuilder& builder, const RectifyStage& stage, const Matrix& matrix, const Scan& scan,
-              const Images& images) {
+void addBuild(const LayoutContext& context, LayoutBuilder& builder, const RectifyStage& stage, const Matrix& matrix,
+              const Scan& scan, const Images& images) {
   const std::vector<TySpecialization> constants = constantsOf(matrix, context.settings, scan.lanes > 0);
-  const std::vector<TyBinding> bindings{uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock),
-                                        bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), sampledAt(3, stage.rectified),
-                                        sampledAt(4, stage.projective), storageAt(5, images.bounds), storageAt(6, images.levels),
-                                        storageAt(7, images.ranks), weightsAt20(stage)};
+  const std::vector<TyBinding> bindings{uniformAt(0, kFrameBlock),
+                                        uniformAt(1, kLightBlock),
+                                        bufferAt(2, stage.sliceBuffer, TY_ACCESS_STORAGE_READ),
+                                        sampledAt(3, stage.rectified),
+                                        sampledAt(4, stage.projective),
+                                        storageAt(5, images.bounds),
+                                        storageAt(6, images.levels),
+                                        storageAt(7, images.ranks),
+                                        weightsAt20(stage)};
   if (scan.lanes > 0) {
     ComputePass pass{"build", "exact_scan.comp", bindings, stage.slices, 1, 1, kEachLight, constants};
     pass.specializations.push_back({10, scan.lanes});
@@ -114,10 +122,12 @@ void addBuild(const LayoutContext& context, LayoutBuilder& builder, const Rectif
     builder.compute(std::move(pass));
     return;
   }
-  const std::vector<LevelRange> passes = buildPasses(matrix, static_cast<PrefixScheme>(context.settings.prefix_scheme) != PrefixScheme::kRow);
+  const std::vector<LevelRange> passes =
+      buildPasses(matrix, static_cast<PrefixScheme>(context.settings.prefix_scheme) != PrefixScheme::kRow);
   // Between two passes the order of columns is kept here; a single texel stands in where it is never touched.
   const bool several = passes.size() > 1;
-  const std::uint32_t order = builder.image("order", TY_FORMAT_R32_UINT, several ? stage.slices : 1, several ? matrix.elements() : 1);
+  const std::uint32_t order =
+      builder.image("order", TY_FORMAT_R32_UINT, several ? stage.slices : 1, several ? matrix.elements() : 1);
   // A CPU's private arrays lie in its cache; a GPU's would not fit (some drivers refuse the pipeline).
   const bool onStack = context.device.is_cpu != 0;
   const std::uint32_t groups = (stage.slices + 31) / 32;
@@ -128,7 +138,10 @@ void addBuild(const LayoutContext& context, LayoutBuilder& builder, const Rectif
     ComputePass pass{"build", "exact_build.comp", bindings, groups, 1u << first, 1, kEachLight, constants};
     pass.bindings.push_back(storageAt(8, order, i == 0 ? TY_ACCESS_STORAGE_WRITE : TY_ACCESS_STORAGE_READ_WRITE));
     pass.bindings.push_back(bufferAt(9, scratch, TY_ACCESS_STORAGE_WRITE));
-    for (const auto& [id, value] : {std::pair{20u, first}, {21u, last}, {22u, i == 0 ? 1u : 0u}, {23u, i + 1 < passes.size() ? 1u : 0u},
+    for (const auto& [id, value] : {std::pair{20u, first},
+                                    {21u, last},
+                                    {22u, i == 0 ? 1u : 0u},
+                                    {23u, i + 1 < passes.size() ? 1u : 0u},
                                     {25u, onStack ? 1u : 0u}})
       pass.specializations.push_back({id, value});
     builder.compute(std::move(pass));
@@ -141,51 +154,67 @@ void addClass(const LayoutContext& context, LayoutBuilder& builder, const LightC
   const RectifyStage stage = addRectify(context, builder, lights, DepthBits::k16, false);
   const Matrix matrix = matrixOf(settings, stage.rows, lights);
   const bool full = static_cast<Precision>(settings.precision) == Precision::kFull;
-  // Where shared memory does not hold a row the scan cannot be had; building by rows and nodes then stands in, as fast as it goes.
+  // Where shared memory does not hold a row the scan cannot be had; building by rows and nodes then stands in, as fast
+  // as it goes.
   const Scan scan = static_cast<PrefixScheme>(settings.prefix_scheme) == PrefixScheme::kScan
                         ? scanOf(context.device, matrix, !full)
                         : Scan{};
   const bool scanned = scan.lanes > 0;
-  builder.roles().scanImpossible |= static_cast<PrefixScheme>(settings.prefix_scheme) == PrefixScheme::kScan && !scanned;
+  builder.roles().scanImpossible |=
+      static_cast<PrefixScheme>(settings.prefix_scheme) == PrefixScheme::kScan && !scanned;
   Images images{};
-  images.bounds = settings.prefix_bounds != 0 ? builder.image("prefix_bounds", TY_FORMAT_RG16_UNORM, stage.slices, stage.rows)
-                                              : builder.image("prefix_bounds", TY_FORMAT_RG16_UNORM, 1, 1);
-  images.levels = builder.image("levels", full ? TY_FORMAT_RGBA32_FLOAT : TY_FORMAT_RGBA16_UNORM, scanned ? matrix.elements() : stage.slices,
-                                scanned ? stage.slices : matrix.elements(), matrix.levels * matrix.vectors, true);
+  images.bounds = settings.prefix_bounds != 0
+                      ? builder.image("prefix_bounds", TY_FORMAT_RG16_UNORM, stage.slices, stage.rows)
+                      : builder.image("prefix_bounds", TY_FORMAT_RG16_UNORM, 1, 1);
+  images.levels = builder.image("levels", full ? TY_FORMAT_RGBA32_FLOAT : TY_FORMAT_RGBA16_UNORM,
+                                scanned ? matrix.elements() : stage.slices, scanned ? stage.slices : matrix.elements(),
+                                matrix.levels * matrix.vectors, true);
   images.ranks = builder.image("ranks", TY_FORMAT_R16_UNORM, stage.slices, (1u << matrix.binBits) + 1);
   addBuild(context, builder, stage, matrix, scan, images);
 
   const auto evaluate = [&](const char* name, const TyBinding& result, bool first, bool steps) {
-    ComputePass pass{name, "exact_evaluate.comp",
-                     {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2),
-                      bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4), result, sampledAt(6, images.bounds),
-                      sampledAt(7, stage.rectified), sampledAt(8, stage.projective), sampledAt(9, images.levels),
-                      sampledAt(10, images.ranks), unshadowedAt21(stage), litAt22(stage), lightCookieAt(23, lights.coloured)},
-                     groups8(context.structure.width), groups8(context.structure.height), 1, kEachLight, constantsOf(matrix, settings, scanned)};
-    for (const auto& [id, value] : {std::pair{5u, static_cast<std::uint32_t>(settings.row_filter)}, {6u, first ? 1u : 0u}, {7u, steps ? 1u : 0u}})
+    ComputePass pass{
+        name,
+        "exact_evaluate.comp",
+        {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2),
+         bufferAt(3, stage.sliceBuffer, TY_ACCESS_STORAGE_READ), shadowMapAt(4), result, sampledAt(6, images.bounds),
+         sampledAt(7, stage.rectified), sampledAt(8, stage.projective), sampledAt(9, images.levels),
+         sampledAt(10, images.ranks), unshadowedAt21(stage), litAt22(stage), lightCookieAt(23, lights.coloured)},
+        groups8(context.structure.width),
+        groups8(context.structure.height),
+        1,
+        kEachLight,
+        constantsOf(matrix, settings, scanned)};
+    for (const auto& [id, value] :
+         {std::pair{5u, static_cast<std::uint32_t>(settings.row_filter)}, {6u, first ? 1u : 0u}, {7u, steps ? 1u : 0u}})
       pass.specializations.push_back({id, value});
     builder.compute(std::move(pass));
   };
   evaluate("evaluate", resultAt5(lights, add), !add, false);
 
-  const std::uint32_t steps = builder.image("steps", TY_FORMAT_RGBA32_FLOAT, context.structure.width, context.structure.height);
+  const std::uint32_t steps =
+      builder.image("steps", TY_FORMAT_RGBA32_FLOAT, context.structure.width, context.structure.height);
   evaluate("debug steps", storageAt(5, steps), true, true);
-  builder.debugView("steps", "Levels walked by each pixel's ray, both rows together; white = 32", TY_SOURCE_IMAGE, steps, 0, 0, 0.0f, 32.0f);
+  builder.debugView("steps", "Levels walked by each pixel's ray, both rows together; white = 32", TY_SOURCE_IMAGE,
+                    steps, 0, 0, 0.0f, 32.0f);
   for (std::uint32_t level = 0; level < matrix.levels; ++level) {
     const std::string number = std::to_string(level);
-    builder.debugView("level_" + number + "_share",
-                      "Level " + number + " of the wavelet matrices: share of a prefix's weight in the nearer half of its node's depths, first "
-                      "reference ray",
-                      TY_SOURCE_IMAGE, images.levels, level * matrix.vectors, 1, 0.0f, 1.0f,
-                      scanned ? TY_VIEW_WALK_LEVEL_ACROSS : TY_VIEW_WALK_LEVEL);
+    builder.debugView(
+        "level_" + number + "_share",
+        "Level " + number +
+            " of the wavelet matrices: share of a prefix's weight in the nearer half of its node's depths, first "
+            "reference ray",
+        TY_SOURCE_IMAGE, images.levels, level * matrix.vectors, 1, 0.0f, 1.0f,
+        scanned ? TY_VIEW_WALK_LEVEL_ACROSS : TY_VIEW_WALK_LEVEL);
   }
-  builder.debugView("ranks", "How many of a slice's depths lie before each depth (downwards); white = all", TY_SOURCE_IMAGE, images.ranks, 0, 0,
-                    0.0f, static_cast<float>(matrix.elements()) / 65535.0f, TY_VIEW_WALK_RANKS);
+  builder.debugView("ranks", "How many of a slice's depths lie before each depth (downwards); white = all",
+                    TY_SOURCE_IMAGE, images.ranks, 0, 0, 0.0f, static_cast<float>(matrix.elements()) / 65535.0f,
+                    TY_VIEW_WALK_RANKS);
   if (settings.prefix_bounds != 0) {
-    builder.debugView("prefix_min", "Prefix minimum of the depth of the first blocker: rays below it are lit", TY_SOURCE_IMAGE,
-                      images.bounds, 0, 0, 0.0f, 1.0f, TY_VIEW_ROWS);
-    builder.debugView("prefix_max", "Prefix maximum of the depth of the first blocker: rays above it are shadowed", TY_SOURCE_IMAGE,
-                      images.bounds, 0, 1, 0.0f, 1.0f, TY_VIEW_ROWS);
+    builder.debugView("prefix_min", "Prefix minimum of the depth of the first blocker: rays below it are lit",
+                      TY_SOURCE_IMAGE, images.bounds, 0, 0, 0.0f, 1.0f, TY_VIEW_ROWS);
+    builder.debugView("prefix_max", "Prefix maximum of the depth of the first blocker: rays above it are shadowed",
+                      TY_SOURCE_IMAGE, images.bounds, 0, 1, 0.0f, 1.0f, TY_VIEW_ROWS);
   }
   addRowViews(context, builder, stage);
 }
@@ -196,10 +225,12 @@ void addTunable(const LayoutContext& context, LayoutBuilder& builder) {
   const std::vector<LightClass> classes = lightClasses(context);
   std::vector<double> schemes{static_cast<double>(PrefixScheme::kRow), static_cast<double>(PrefixScheme::kBlock)};
   if (std::all_of(classes.begin(), classes.end(), [&](const LightClass& lights) {
-        return scanOf(context.device, matrixOf(context.settings, rowsOf(context.settings, lights), lights), !full).lanes > 0;
+        return scanOf(context.device, matrixOf(context.settings, rowsOf(context.settings, lights), lights), !full)
+                   .lanes > 0;
       }))
     schemes.push_back(static_cast<double>(PrefixScheme::kScan));
-  if (!classes.empty()) builder.tunable(prefixSchemeIndex(), static_cast<double>(PrefixScheme::kAuto), schemes, {"build"});
+  if (!classes.empty())
+    builder.tunable(prefixSchemeIndex(), static_cast<double>(PrefixScheme::kAuto), schemes, {"build"});
 }
 
 void layout(const LayoutContext& context, LayoutBuilder& builder) {
@@ -211,8 +242,8 @@ void prepare(const FrameContext& context) { prepareRectify(context, false); }
 
 constexpr std::array kTechniques = {
     Technique{"exact", "Exact prefix visibility",
-              "Walks a wavelet matrix per rectified row: exact on its map, and as many steps whatever the scene.", kReads, layout,
-              prepare, true}};
+              "Walks a wavelet matrix per rectified row: exact on its map, and as many steps whatever the scene.",
+              kReads, layout, prepare, true}};
 
 }  // namespace
 

@@ -1,5 +1,6 @@
-// The wavelet matrix against brute force: the share of the weight of a row's first s columns whose depth lies before the ray's, over
-// random rows of every kind. The matrix is built here, by sorting and filtering; the steps of the query are the shader's own text.
+// The wavelet matrix against brute force: the share of the weight of a row's first s columns whose depth lies before
+// the ray's, over random rows of every kind. The matrix is built here, by sorting and filtering; the steps of the query
+// are the shader's own text.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -62,7 +63,8 @@ Matrix build(const Row& row, int binBits) {
   std::stable_sort(sorted.begin(), sorted.end(), [&](int a, int b) { return bin(a) < bin(b); });
   for (int i = 0; i < elements; ++i) rank[sorted[i]] = i;
   for (int b = 0; b <= 1 << binBits; ++b)
-    matrix.ranks.push_back(static_cast<int>(std::count_if(sorted.begin(), sorted.end(), [&](int column) { return bin(column) < b; })));
+    matrix.ranks.push_back(
+        static_cast<int>(std::count_if(sorted.begin(), sorted.end(), [&](int column) { return bin(column) < b; })));
   for (int level = 0; level < matrix.bits; ++level) {
     std::vector<int> zeros;
     std::vector<double> share;
@@ -86,7 +88,8 @@ Matrix build(const Row& row, int binBits) {
   return matrix;
 }
 
-/// Share of the weight of the first `elements` columns that is blocked, after `levels` levels; shares rounded to `bits` bits.
+/// Share of the weight of the first `elements` columns that is blocked, after `levels` levels; shares rounded to `bits`
+/// bits.
 template <class Real2, class Step, class End>
 double query(const Matrix& matrix, int elements, double depth, int levels, int storedBits, Step step, End end) {
   const int bins = 1 << matrix.binBits;
@@ -115,8 +118,11 @@ double queryDouble(const Matrix& matrix, int elements, double depth, int levels)
 }
 double queryStored(const Matrix& matrix, int elements, double depth, int levels) {
   return query<f32::Real2>(
-      matrix, elements, depth, levels, 16, [](f32::Real2 f, double s, bool one) { return f32::waveletStep(f, static_cast<float>(s), one); },
-      [](f32::Real2 f, double r, int w, int l, int b) { return static_cast<double>(f32::waveletEnd(f, static_cast<float>(r), w, l, b)); });
+      matrix, elements, depth, levels, 16,
+      [](f32::Real2 f, double s, bool one) { return f32::waveletStep(f, static_cast<float>(s), one); },
+      [](f32::Real2 f, double r, int w, int l, int b) {
+        return static_cast<double>(f32::waveletEnd(f, static_cast<float>(r), w, l, b));
+      });
 }
 
 /// Brute force: share of the weight of the first `elements` columns whose depth is below `depth`.
@@ -144,18 +150,21 @@ TEST(WaveletMatrix, IsTheBruteForceSumButForTheBinOfTheDepth) {
       // Every third query lies on the border of a bin, where the answer has no quantisation at all.
       const double depth = q % 3 == 0 ? std::floor(unit(random) * (1 << kBinBits)) * kBin : unit(random);
       const double low = std::floor(depth / kBin) * kBin;
-      const double least = blockedBefore(row, elements, low), most = q % 3 == 0 ? least : blockedBefore(row, elements, low + kBin);
+      const double least = blockedBefore(row, elements, low),
+                   most = q % 3 == 0 ? least : blockedBefore(row, elements, low + kBin);
       const double found = queryDouble(matrix, elements, depth, matrix.bits);
       const double stored = queryStored(matrix, elements, depth, matrix.bits);
       const auto outside = [&](double value) { return std::max(least - value, value - most); };
       worst = std::max(worst, outside(found));
       worstStored = std::max(worstStored, outside(stored));
-      ASSERT_LE(outside(found), 1e-12) << "row " << r << ", " << elements << " of " << row.depth.size() << ", depth " << depth;
+      ASSERT_LE(outside(found), 1e-12) << "row " << r << ", " << elements << " of " << row.depth.size() << ", depth "
+                                       << depth;
       // 16-bit shares: each level adds half a step at most, of what is still undecided.
       ASSERT_LE(outside(stored), (matrix.bits + 1) * 0.5 / 65535 + 1e-6) << "row " << r;
     }
   }
-  std::printf("%d cases: outside the bin's bounds by %.2e in double, %.2e with 16-bit shares\n", cases, worst, worstStored);
+  std::printf("%d cases: outside the bin's bounds by %.2e in double, %.2e with 16-bit shares\n", cases, worst,
+              worstStored);
 }
 
 // Fewer levels leave a node of ranks undecided: the answer lies between those of its first and its last depth.
@@ -180,12 +189,16 @@ TEST(WaveletMatrix, FewerLevelsStayWithinTheNodeTheyEndIn) {
         const int size = 1 << (matrix.bits - levels), columns = static_cast<int>(sorted.size());
         const int first = std::min(rank / size * size, columns - 1), last = rank / size * size + size;
         ASSERT_GE(found, blockedBefore(row, elements, sorted[static_cast<std::size_t>(first)] - 1.0 / 4096) - 1e-9);
-        ASSERT_LE(found, (last < columns ? blockedBefore(row, elements, sorted[static_cast<std::size_t>(last)] + 1.0 / 4096) : 1) + 1e-9);
+        ASSERT_LE(
+            found,
+            (last < columns ? blockedBefore(row, elements, sorted[static_cast<std::size_t>(last)] + 1.0 / 4096) : 1) +
+                1e-9);
         error[static_cast<std::size_t>(levels)] += std::abs(found - exact);
       }
     }
   }
-  for (int levels = 1; levels < 5; ++levels) EXPECT_LT(error[static_cast<std::size_t>(levels)], error[static_cast<std::size_t>(levels) - 1]);
+  for (int levels = 1; levels < 5; ++levels)
+    EXPECT_LT(error[static_cast<std::size_t>(levels)], error[static_cast<std::size_t>(levels) - 1]);
 }
 
 }  // namespace

@@ -11,19 +11,27 @@
 namespace volumetrics {
 namespace {
 
-constexpr std::array kReads = {TY_RECTIFY_READS, TY_PREFIX_READS, "volumetrics.overestimation", "volumetrics.precision"};
+constexpr std::array kReads = {TY_RECTIFY_READS, TY_PREFIX_READS, "volumetrics.overestimation",
+                               "volumetrics.precision"};
 
 /// Views of the single moments, from the stored combinations of them.
 void addMomentViews(LayoutBuilder& builder, const RectifyStage& stage, const std::vector<TySpecialization>& constants,
                     const std::vector<std::uint32_t>& images, int moments) {
   const std::uint32_t shown = builder.image("moments", TY_FORMAT_RGBA32_FLOAT, stage.slices, stage.rows, 2, true);
-  builder.compute({"debug moments", "moments_debug.comp", {sampledAt(0, images[0]), sampledAt(1, images[1]), storageAt(2, shown)},
-                   groups8(stage.slices), groups8(stage.rows), 1, kEachLight, constants});
+  builder.compute({"debug moments",
+                   "moments_debug.comp",
+                   {sampledAt(0, images[0]), sampledAt(1, images[1]), storageAt(2, shown)},
+                   groups8(stage.slices),
+                   groups8(stage.rows),
+                   1,
+                   kEachLight,
+                   constants});
   for (int i = 0; i < moments; ++i)
-    builder.debugView("moment_" + std::to_string(i + 1),
-                      "Prefix average of the depth's power " + std::to_string(i + 1) + " (depth in [-1, 1]), first reference ray",
-                      TY_SOURCE_IMAGE, shown, static_cast<std::uint32_t>(i / 4), static_cast<std::uint32_t>(i % 4),
-                      i % 2 == 0 ? -1.0f : 0.0f, 1.0f, TY_VIEW_ROWS);
+    builder.debugView(
+        "moment_" + std::to_string(i + 1),
+        "Prefix average of the depth's power " + std::to_string(i + 1) + " (depth in [-1, 1]), first reference ray",
+        TY_SOURCE_IMAGE, shown, static_cast<std::uint32_t>(i / 4), static_cast<std::uint32_t>(i % 4),
+        i % 2 == 0 ? -1.0f : 0.0f, 1.0f, TY_VIEW_ROWS);
 }
 
 template <int kMoments>
@@ -72,11 +80,11 @@ void prepare(const FrameContext& context) {
 
 constexpr std::array kTechniques = {
     Technique{"moments4", "Prefiltered moments (4)",
-              "Prefix sums of four moments over rectified rows; one look-up a pixel and reference ray.", kReads, layout<4>,
-              prepare<4>, true},
+              "Prefix sums of four moments over rectified rows; one look-up a pixel and reference ray.", kReads,
+              layout<4>, prepare<4>, true},
     Technique{"moments6", "Prefiltered moments (6)",
-              "Prefix sums of six moments over rectified rows; one look-up a pixel and reference ray.", kReads, layout<6>,
-              prepare<6>, true}};
+              "Prefix sums of six moments over rectified rows; one look-up a pixel and reference ray.", kReads,
+              layout<6>, prepare<6>, true}};
 
 }  // namespace
 

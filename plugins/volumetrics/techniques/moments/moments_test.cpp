@@ -1,5 +1,6 @@
-// The moment bounds under stress: random, single-depth, nearly equal, clamped and sorted distributions; in double (bounds must
-// hold), in float (results finite, in [0, 1] and near the double ones), after quantisation at every precision.
+// The moment bounds under stress: random, single-depth, nearly equal, clamped and sorted distributions; in double
+// (bounds must hold), in float (results finite, in [0, 1] and near the double ones), after quantisation at every
+// precision.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,8 +54,9 @@ Case makeCase(Random& random) {
   }
   Case made;
   const double pick = random.next();
-  made.zf = pick < 0.3 ? z[static_cast<std::size_t>(random.next() * count)] : pick < 0.4 ? (random.next() < 0.5 ? -1 : 1)
-                                                                                         : 2 * random.next() - 1;
+  made.zf = pick < 0.3   ? z[static_cast<std::size_t>(random.next() * count)]
+            : pick < 0.4 ? (random.next() < 0.5 ? -1 : 1)
+                         : 2 * random.next() - 1;
   for (int i = 0; i < count; ++i) {
     double power = 1;
     for (double& b : made.b) {
@@ -128,7 +130,8 @@ TEST(Moments, CubicRootsAreRoots) {
     std::sort(z.begin(), z.end());
     if (z[1] - z[0] < 1e-3 || z[2] - z[1] < 1e-3) continue;
     const double s = 2 * random.next() - 1 + 1e-3;
-    const glm::dvec4 c(-s * z[0] * z[1] * z[2], s * (z[0] * z[1] + z[0] * z[2] + z[1] * z[2]), -s * (z[0] + z[1] + z[2]), s);
+    const glm::dvec4 c(-s * z[0] * z[1] * z[2], s * (z[0] * z[1] + z[0] * z[2] + z[1] * z[2]),
+                       -s * (z[0] + z[1] + z[2]), s);
     const glm::dvec3 roots = f64::cubicRoots(c);
     std::array<double, 3> found{roots.x, roots.y, roots.z};
     std::sort(found.begin(), found.end());
@@ -136,7 +139,8 @@ TEST(Moments, CubicRootsAreRoots) {
   }
 }
 
-// A far root must not cost the near ones their digits, in float: that broke the bounds where a ray's depth lies on a blocker's.
+// A far root must not cost the near ones their digits, in float: that broke the bounds where a ray's depth lies on a
+// blocker's.
 TEST(Moments, CubicRootsSurviveAFarRoot) {
   Random random{6};
   for (int i = 0; i < 100000; ++i) {
@@ -153,8 +157,8 @@ TEST(Moments, CubicRootsSurviveAFarRoot) {
   }
 }
 
-// Lower <= truth <= upper, in double with a bias just above rounding. The bias moves the bounds by at most about itself times
-// the condition of the problem: 1e-9 bias, 1e-4 allowed; a wrong formula misses by tenths.
+// Lower <= truth <= upper, in double with a bias just above rounding. The bias moves the bounds by at most about itself
+// times the condition of the problem: 1e-9 bias, 1e-4 allowed; a wrong formula misses by tenths.
 TEST(Moments, BoundsHoldInDouble) {
   Random random{3};
   double worst4 = 0, worst6 = 0;
@@ -165,8 +169,8 @@ TEST(Moments, BoundsHoldInDouble) {
       return f64::visibility4(f64::bias4({c.b[1], c.b[2], c.b[3], c.b[4]}, bias, 0.375), c.zf, beta);
     };
     const auto v6 = [&](double beta) {
-      return f64::visibility6(f64::bias6Odd({c.b[1], c.b[3], c.b[5]}, bias), f64::bias6Even({c.b[2], c.b[4], c.b[6]}, bias), c.zf,
-                              beta);
+      return f64::visibility6(f64::bias6Odd({c.b[1], c.b[3], c.b[5]}, bias),
+                              f64::bias6Even({c.b[2], c.b[4], c.b[6]}, bias), c.zf, beta);
     };
     // A mass exactly at zf is inside [lower, upper] on both conventions.
     worst4 = std::max({worst4, v4(0) - c.highTruth, c.lowTruth - v4(1)});
@@ -198,8 +202,9 @@ TEST(Moments, SixBoundAtLeastAsTightlyAsFour) {
   EXPECT_LT(sum6, 0.9 * sum4);
 }
 
-// At every precision, through storage and with the biases of storage.hpp, float results are finite, in [0, 1], and violate the bounds
-// by no more than the bias explains, which mixes that much of another distribution in, and 1e-4 (tests/stability has the harder cases).
+// At every precision, through storage and with the biases of storage.hpp, float results are finite, in [0, 1], and
+// violate the bounds by no more than the bias explains, which mixes that much of another distribution in, and 1e-4
+// (tests/stability has the harder cases).
 TEST(Moments, FloatIsSafeAtEveryPrecision) {
   struct Row {
     int moments;
@@ -216,14 +221,15 @@ TEST(Moments, FloatIsSafeAtEveryPrecision) {
       std::array<float, 2> bound{};
       for (int side = 0; side < 2; ++side) {
         const float zf = static_cast<float>(c.zf), beta = static_cast<float>(side);
-        bound[side] = row.moments == 4
-                          ? f32::visibility4(f32::bias4(stored.four, s.bias, s.evenTarget), zf, beta)
-                          : f32::visibility6(f32::bias6Odd(stored.odd, s.bias), f32::bias6Even(stored.even, s.bias), zf, beta);
+        bound[side] = row.moments == 4 ? f32::visibility4(f32::bias4(stored.four, s.bias, s.evenTarget), zf, beta)
+                                       : f32::visibility6(f32::bias6Odd(stored.odd, s.bias),
+                                                          f32::bias6Even(stored.even, s.bias), zf, beta);
         ASSERT_TRUE(bound[side] >= 0 && bound[side] <= 1) << row.moments << ' ' << bound[side];
       }
       worst = std::max({worst, bound[0] - c.highTruth, c.lowTruth - bound[1]});
     }
-    EXPECT_LT(worst, static_cast<double>(s.bias) + 1e-4) << row.moments << " moments, precision " << static_cast<int>(row.precision);
+    EXPECT_LT(worst, static_cast<double>(s.bias) + 1e-4)
+        << row.moments << " moments, precision " << static_cast<int>(row.precision);
     std::printf("moments %d, precision %d: worst bound violation %.4f over %d cases\n", row.moments,
                 static_cast<int>(row.precision), worst, caseCount() / 2);
   }

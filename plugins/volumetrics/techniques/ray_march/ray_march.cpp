@@ -12,8 +12,9 @@
 namespace volumetrics {
 namespace {
 
-constexpr std::array kReads = {"volumetrics.enabled", "volumetrics.technique", "volumetrics.placement", "volumetrics.steps",
-                               "volumetrics.jitter", "volumetrics.march_spacing", "medium.sigma_t", "medium.albedo", "medium.g"};
+constexpr std::array kReads = {"volumetrics.enabled", "volumetrics.technique", "volumetrics.placement",
+                               "volumetrics.steps",   "volumetrics.jitter",    "volumetrics.march_spacing",
+                               "medium.sigma_t",      "medium.albedo",         "medium.g"};
 
 void layout(const LayoutContext& context, LayoutBuilder& builder) {
   builder.uniform("frame", sizeof(RayMarchBlock), false);
@@ -23,17 +24,29 @@ void layout(const LayoutContext& context, LayoutBuilder& builder) {
   const bool add = beginLights(context, builder, kFrameBlock);
   const std::uint32_t x = groups8(context.structure.width), y = groups8(context.structure.height);
   if (context.directionalLights > 0)
-    builder.compute({"march", "ray_march.comp",
+    builder.compute({"march",
+                     "ray_march.comp",
                      {uniformAt(0, kFrameBlock), uniformAt(1, kLightBlock), sceneDepthAt(2), shadowMapAt(3),
-                      outputAt(4, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE), uniformAt(5, kCookieBlock),
-                      lightCookieAt(6, context.sunCookies > 0)},
-                     x, y, 1, kSuns, {{0, add ? 0u : 1u}, {1, context.sunCookies > 0 ? 1u : 0u}}});
+                      outputAt(4, add ? TY_ACCESS_STORAGE_READ_WRITE : TY_ACCESS_STORAGE_WRITE),
+                      uniformAt(5, kCookieBlock), lightCookieAt(6, context.sunCookies > 0)},
+                     x,
+                     y,
+                     1,
+                     kSuns,
+                     {{0, add ? 0u : 1u}, {1, context.sunCookies > 0 ? 1u : 0u}}});
   if (context.localLights() > 0)
-    builder.compute({"march local", "ray_march_local.comp",
+    builder.compute({"march local",
+                     "ray_march_local.comp",
                      {uniformAt(0, kFrameBlock), uniformAt(1, kLocalBlock), sceneDepthAt(2), shadowMapAt(3),
-                      outputAt(4, TY_ACCESS_STORAGE_READ_WRITE), uniformAt(5, kCookieBlock), lightCookieAt(6, context.localCookies > 0)},
-                     x, y, 1, kLocalLights, {{0, add ? 0u : 1u}, {1, context.localCookies > 0 ? 1u : 0u}}});
-  if (context.structure.light_count > 0) addDifferenceView(context, builder, kFrameBlock, kLightBlock, kLocalBlock, kCookieBlock);
+                      outputAt(4, TY_ACCESS_STORAGE_READ_WRITE), uniformAt(5, kCookieBlock),
+                      lightCookieAt(6, context.localCookies > 0)},
+                     x,
+                     y,
+                     1,
+                     kLocalLights,
+                     {{0, add ? 0u : 1u}, {1, context.localCookies > 0 ? 1u : 0u}}});
+  if (context.structure.light_count > 0)
+    addDifferenceView(context, builder, kFrameBlock, kLightBlock, kLocalBlock, kCookieBlock);
 }
 
 void prepare(const FrameContext& context) {
@@ -51,7 +64,8 @@ void prepare(const FrameContext& context) {
 }
 
 constexpr std::array kTechniques = {
-    Technique{"ray_march", "Ray march", "One march per pixel and light through its shadow map: the plain reference.", kReads, layout, prepare, true}};
+    Technique{"ray_march", "Ray march", "One march per pixel and light through its shadow map: the plain reference.",
+              kReads, layout, prepare, true}};
 
 }  // namespace
 

@@ -35,8 +35,9 @@ struct Sample {
   const char* name;
   scene::Scene (*make)();
 };
-inline constexpr Sample kSamples[] = {{"hall", makeHall},       {"forest", makeForest}, {"vault", makeVault}, {"cage", makeCage},
-                                      {"terrain", makeTerrain}, {"tower", makeTower},   {"town", makeTown},   {"lattice", makeLattice}};
+inline constexpr Sample kSamples[] = {{"hall", makeHall}, {"forest", makeForest},   {"vault", makeVault},
+                                      {"cage", makeCage}, {"terrain", makeTerrain}, {"tower", makeTower},
+                                      {"town", makeTown}, {"lattice", makeLattice}};
 
 /// How many triangles a frame that culls nothing draws: every mesh counted once per node that uses it.
 std::size_t instancedTriangles(const scene::Scene& scene);
