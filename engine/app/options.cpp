@@ -34,19 +34,32 @@ void addLevel(CLI::App& command, Given& given) {
   command.add_option("LEVEL", given.level, "a sample's name (see: tyndall levels) or a path to a .gltf or .glb file");
 }
 
-void addSettings(CLI::App& command, Given& given) {
+void addDevice(CLI::App& command, Given& given) {
   command
-      .add_option("--set", given.assignments, "sets a parameter (see: tyndall describe); repeatable, the later wins")
-      ->type_name("id=value")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-  command.add_option("--preset", given.preset, "parameter values from a file; --set comes after it")
-      ->type_name("FILE.json");
+      .add_option("--device", given.device,
+                  "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")
+      ->type_name("TEXT");
+}
+
+void addPluginFolder(CLI::App& command, Given& given) {
   command
       .add_option("--plugin-dir", given.plugins,
                   "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")
       ->type_name("DIR");
+}
+
+/// One value each time that it is given.
+void addRepeatable(CLI::App& command, const char* name, std::vector<std::string>& values, const char* type,
+                   const char* doc) {
+  command.add_option(name, values, doc)->type_name(type)->expected(1)->take_all()->allow_extra_args(false);
+}
+
+void addSettings(CLI::App& command, Given& given) {
+  addRepeatable(command, "--set", given.assignments, "id=value",
+                "sets a parameter (see: tyndall describe); repeatable, the later wins");
+  command.add_option("--preset", given.preset, "parameter values from a file; --set comes after it")
+      ->type_name("FILE.json");
+  addPluginFolder(command, given);
 }
 
 void addView(CLI::App& command, Given& given) {
@@ -85,10 +98,7 @@ void addRender(CLI::App& command, Given& given) {
       .add_option("--view-exr", given.viewExr,
                   "the numbers of the debug view's own image, as a shader reads them; 32-bit float")
       ->type_name("FILE.exr");
-  command
-      .add_option("--device", given.device,
-                  "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")
-      ->type_name("TEXT");
+  addDevice(command, given);
   command.add_flag("--validate", given.validate,
                    "validation layer with synchronization validation; any message makes the exit status 1");
 }
@@ -119,14 +129,8 @@ void addBench(CLI::App& command, Given& given) {
           "folder of results.json, results.csv and report.html [out/bench/<sweep>]; what it holds is gone on with")
       ->type_name("DIR");
   command.add_flag("--fresh", given.fresh, "measures everything again");
-  command
-      .add_option("--device", given.device,
-                  "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")
-      ->type_name("TEXT");
-  command
-      .add_option("--plugin-dir", given.plugins,
-                  "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")
-      ->type_name("DIR");
+  addDevice(command, given);
+  addPluginFolder(command, given);
   command.add_option("--compare", given.compare, "a table of the ratios of two results.json, instead of measuring")
       ->type_name("A.json B.json")
       ->expected(2);
@@ -144,17 +148,9 @@ void addTune(CLI::App& command, Given& given) {
       .add_option("--budget-ms", given.budget,
                   "finds the least error within so many milliseconds of GPU time in the worst view")
       ->type_name("X");
-  command.add_option("--camera", given.cameras, "a view that counts; repeatable [all of the file's cameras]")
-      ->type_name("N")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-  command
-      .add_option("--hold-out", given.holdOut, "a view that is not searched on, but measured at the end; repeatable")
-      ->type_name("N")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+  addRepeatable(command, "--camera", given.cameras, "N", "a view that counts; repeatable [all of the file's cameras]");
+  addRepeatable(command, "--hold-out", given.holdOut, "N",
+                "a view that is not searched on, but measured at the end; repeatable");
   command
       .add_option("--turned", given.turned,
                   "so many further views at each camera that is tuned on, turned by 20 degrees to both sides in turn, "
@@ -174,14 +170,8 @@ void addTune(CLI::App& command, Given& given) {
       ->type_name("X");
   command.add_option("--size", given.size, "size of the pictures that are timed [1280x720]")->type_name("WxH");
   command.add_option("--out", given.out, "the preset; else it goes to standard output")->type_name("PRESET.json");
-  command
-      .add_option("--device", given.device,
-                  "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")
-      ->type_name("TEXT");
-  command
-      .add_option("--plugin-dir", given.plugins,
-                  "folder of the plugins, instead of $TYNDALL_PLUGIN_DIR or plugins/ beside the program")
-      ->type_name("DIR");
+  addDevice(command, given);
+  addPluginFolder(command, given);
 }
 
 /// An error for the first argument that nothing took, or success.

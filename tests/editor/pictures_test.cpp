@@ -78,5 +78,43 @@ TEST_F(PicturesTest, ARowAndItsWalk) {
   quit();
 }
 
+TEST_F(PicturesTest, MemoryByResource) {
+  open("hall");
+  pull("side edge", -180, 0);
+  pull("figures edge", 0, -60);
+  click("tab memory");
+  ASSERT_TRUE(appears("memory filter"));
+  look();
+  keep("editor_memory.png");
+  quit();
+}
+
+TEST_F(PicturesTest, ErrorsAndThePlot) {
+  open("hall");
+  click("reference");
+  ASSERT_TRUE(appears("reference samples"));
+  click("reference samples");
+  ASSERT_TRUE(appears("reference samples 64"));
+  click("reference samples 64");
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].value("reference samples", "") == "64"; }, 30).is_null());
+  click("plot");
+  ASSERT_TRUE(appears("plot measure"));
+  // Away from the other window, by its title.
+  const auto chart = state()["widgets"]["plot chart"].get<std::vector<double>>();
+  move(chart[0] + 120, chart[1] - 36);
+  input({"mousedown", "1"});
+  waitFrames(2);
+  move(chart[0] - 100, chart[1] + 20);
+  move(140, 300);
+  input({"mouseup", "1"});
+  click("plot measure");
+  ASSERT_TRUE(factBecomes("plot state", "measuring"));
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["facts"].value("plot state", "") == "idle"; }, 500).is_null());
+  click("reference show error");
+  look();
+  keep("editor_truth.png");
+  quit();
+}
+
 }  // namespace
 }  // namespace tyndall::editor_test
