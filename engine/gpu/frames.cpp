@@ -86,7 +86,7 @@ Result<void> Device::submitAndWait(const std::function<void(VkCommandBuffer)>& r
   }
   s.collect();
   if (!result) {
-    // Kept for the next one: the validation layer holds some 200 bytes of each command buffer after it was freed.
+    // Kept for the next one: the validation layer holds something of each command buffer after it was freed.
     s.idleOneShots.push_back(shot);
     return {};
   }
