@@ -35,8 +35,6 @@ void beginFixed(const char* name, float x, float y, float width, float height, I
   ImGui::Begin(name, nullptr, kFixed | more);
 }
 
-constexpr float kFontPixels = 13;  // of Dear ImGui's own font, which is drawn for this size
-
 void chooseStyle(float textScale) {
   ImGui::GetStyle() = {};
   ImGui::StyleColorsDark();
@@ -206,7 +204,7 @@ Result<void> Editor::scaleText() {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.Clear();
   ImFontConfig font;
-  font.SizePixels = std::round(kFontPixels * wanted);
+  font.SizePixels = std::round(kTextHeight * wanted);
   fonts.AddFontDefault(&font);
   return renderer_->makeFont();
 }

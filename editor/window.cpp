@@ -1,6 +1,7 @@
 #include "window.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -70,7 +71,8 @@ float Window::textScale() const {
   glfwGetWindowSize(window_, &width, &height);
   // Where points are larger than pixels already, the text is as well.
   const float pixelsPerPoint = width > 0 ? static_cast<float>(pixels().first) / static_cast<float>(width) : 1;
-  return std::max(scale / std::max(pixelsPerPoint, 1e-3f), 1.0f);
+  // In eighths: the ratio of whole pixels to whole points changes a little with the window's size.
+  return std::max(std::round(8 * scale / std::max(pixelsPerPoint, 1e-3f)) / 8, 1.0f);
 }
 
 std::pair<std::uint32_t, std::uint32_t> Window::pixels() const {

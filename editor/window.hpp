@@ -34,7 +34,7 @@ class Window {
   void close();
   /// Size in pixels; 0 by 0 while the window is minimised.
   std::pair<std::uint32_t, std::uint32_t> pixels() const;
-  /// How large the display wants text, beside points that are larger than pixels: 1 or more.
+  /// How large the display wants text, beside points that are larger than pixels: 1 or more, in eighths.
   float textScale() const;
   void resize(std::uint32_t width, std::uint32_t height);
   void setTitle(const std::string& title);

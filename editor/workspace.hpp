@@ -49,8 +49,10 @@ struct Workspace {
   }
 };
 
+/// Height of the text's normal size, points: that which Dear ImGui's own font is drawn for.
+inline constexpr float kTextHeight = 13;
 /// Points, from those at the text's normal size.
-inline float scaled(float points) { return points * ImGui::GetFontSize() / 13; }
+inline float scaled(float points) { return points * ImGui::GetFontSize() / kTextHeight; }
 
 /// Theme.
 inline const ImVec4 kErrorColor{1.0f, 0.45f, 0.40f, 1}, kChangedColor{1.0f, 0.80f, 0.35f, 1},

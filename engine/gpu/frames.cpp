@@ -51,8 +51,8 @@ Result<Device::State::OneShot> Device::State::takeOneShot() {
   OneShot shot;
   if (!idleOneShots.empty()) {
     shot = idleOneShots.back();
-    idleOneShots.pop_back();
     if (const VkResult result = vkResetFences(device, 1, &shot.fence)) return vkFailed("Vulkan: a fence", result);
+    idleOneShots.pop_back();
     return shot;
   }
   const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};

@@ -1,9 +1,11 @@
 // Memory and lifetimes: deferred destruction, frames in flight, churn, aliasing, refusals.
+#include <cstring>
 #include <optional>
 #include <random>
 #include <thread>
 
 #include "gpu_test.hpp"
+#include "state.hpp"
 
 namespace tyndall::gpu::test {
 namespace {
@@ -12,6 +14,33 @@ class GpuLifetime : public GpuTest {};
 
 constexpr VkBufferUsageFlags kBufferCopies = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 constexpr VkImageUsageFlags kImageCopies = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+
+TEST_F(GpuLifetime, OneShotSubmissionsUseTheirCommandBuffersAgain) {
+  auto buffer = device->createBuffer({.name = "filled", .size = 16, .usage = kBufferCopies});
+  ASSERT_TRUE(buffer.ok());
+  const auto fill = [&](VkCommandBuffer commands, VkDeviceSize at, std::uint32_t value) {
+    vkCmdFillBuffer(commands, buffer->handle(), at, 4, value);
+  };
+  for (std::uint32_t i = 0; i < 5; ++i)
+    ASSERT_TRUE(device->submitAndWait([&](VkCommandBuffer commands) { fill(commands, 0, 100 + i); }));
+  EXPECT_EQ(device->state().idleOneShots.size(), 1u);
+  // One inside another has its own, and both are done.
+  ASSERT_TRUE(device->submitAndWait([&](VkCommandBuffer outer) {
+    fill(outer, 4, 7);
+    EXPECT_TRUE(device->submitAndWait([&](VkCommandBuffer inner) {
+      EXPECT_NE(inner, outer);
+      fill(inner, 8, 8);
+    }));
+  }));
+  EXPECT_EQ(device->state().idleOneShots.size(), 2u);
+  const auto bytes = device->readback(*buffer);
+  ASSERT_TRUE(bytes.ok());
+  std::uint32_t values[3];
+  std::memcpy(values, bytes->data(), sizeof values);
+  EXPECT_EQ(values[0], 104u);
+  EXPECT_EQ(values[1], 7u);
+  EXPECT_EQ(values[2], 8u);
+}
 
 TEST_F(GpuLifetime, ResourcesMayGoWhileTheirFrameIsRecordedOrInFlight) {
   auto target = device->createBuffer({.name = "target", .size = 1 << 16, .usage = kBufferCopies});
