@@ -6,11 +6,12 @@
 #define TY_COMMON_PARAMS(INT, FLOAT, ENUM, BOOL)                                                        \
   BOOL(enabled, "volumetrics.enabled", "Enabled", 1, 0, TY_PARAMETER_STRUCTURAL,                        \
        "Off: no scattering and no extinction, and no pass is run.")                                     \
-  ENUM(technique, "volumetrics.technique", "Technique", 8, 0,                                           \
+  ENUM(technique, "volumetrics.technique", "Technique", "exact", "",                                    \
        "none|ray_march|min_max|shadow_volume|epipolar_sampling|froxel|fourier|moments4|moments6|exact", \
        TY_PARAMETER_STRUCTURAL, "How single scattering is computed; none is the same as not enabled.")  \
-  ENUM(placement, "volumetrics.placement", "Placement", 0, 0xe, "pixel|half|quarter|epipolar",          \
-       TY_PARAMETER_STRUCTURAL, "Where rays are evaluated: one a pixel, or fewer, upsampled.")          \
+  ENUM(placement, "volumetrics.placement", "Placement", "pixel", "half|quarter|epipolar",               \
+       "pixel|half|quarter|epipolar", TY_PARAMETER_STRUCTURAL,                                          \
+       "Where rays are evaluated: one a pixel, or fewer, upsampled.")                                   \
   FLOAT(sigma_t, "medium.sigma_t", "Extinction", 0.03, 0, 10, "1/m", TY_PARAMETER_LOGARITHMIC,          \
         "Extinction coefficient of the homogeneous medium; its inverse is the mean free path.")         \
   FLOAT(albedo, "medium.albedo", "Albedo", 0.9, 0, 1, "", 0,                                            \

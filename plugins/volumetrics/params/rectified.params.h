@@ -4,7 +4,7 @@
 #include "params/rows.h"
 
 #define TY_RECTIFIED_PARAMS(INT, FLOAT, ENUM, BOOL)                                                                    \
-  ENUM(rectification, "volumetrics.rectification", "Rectification", 2, 0, "auto|linear|epipolar",                      \
+  ENUM(rectification, "volumetrics.rectification", "Rectification", "epipolar", "", "auto|linear|epipolar",            \
        TY_PARAMETER_STRUCTURAL,                                                                                        \
        "How the shadow map is turned so that view rays are rows: linear is one projective matrix, rasterised "         \
        "straight into; "                                                                                               \
@@ -21,21 +21,22 @@
         "depth is raised to 1/(1 + warp).")                                                                            \
   INT(columns, "volumetrics.columns", "Columns", 1024, 64, 4096, 64, 4096, "texels", TY_PARAMETER_STRUCTURAL,          \
       "Samples along a slice of the rectified map; of further lights at most so many, by their share of the screen.")  \
-  ENUM(column_spacing, "volumetrics.column_spacing", "Column spacing", 1, 0, "distance|transmittance", 0,              \
+  ENUM(column_spacing, "volumetrics.column_spacing", "Column spacing", "transmittance", "", "distance|transmittance",  \
+       0,                                                                                                              \
        "Columns of an epipolar map of a sun: even across the light, or narrower near the eye, where a column "         \
        "scatters more of the light.")                                                                                  \
   INT(slices, "volumetrics.slices", "Slices", 1024, 64, 4096, 64, 4096, "texels", TY_PARAMETER_STRUCTURAL,             \
       "Epipolar slices of the rectified map; of further lights at most so many, by their share of the screen.")        \
-  ENUM(slice_spacing, "volumetrics.slice_spacing", "Slice spacing", 0, 0, "azimuth|border", TY_PARAMETER_STRUCTURAL,   \
-       "Slices uniform in azimuth, or spaced evenly along the border of the screen.")                                  \
+  ENUM(slice_spacing, "volumetrics.slice_spacing", "Slice spacing", "azimuth", "", "azimuth|border",                   \
+       TY_PARAMETER_STRUCTURAL, "Slices uniform in azimuth, or spaced evenly along the border of the screen.")         \
   INT(reference_rays, "volumetrics.reference_rays", "Reference rays", 3, 1, 6, 1, 6, "", TY_PARAMETER_STRUCTURAL,      \
       "Inclinations a slice for which the weighted prefix is kept; results are interpolated between them. 1 is the "   \
       "papers'.")                                                                                                      \
-  ENUM(reference_ray, "volumetrics.reference_ray", "Reference ray", 1, 0, "bisectrix|optimum|mean", 0,                 \
+  ENUM(reference_ray, "volumetrics.reference_ray", "Reference ray", "optimum", "", "bisectrix|optimum|mean", 0,        \
        "Which ray stands for its slice when reference_rays is 1: the bisectrix of the slice, the geometric mean of "   \
        "its "                                                                                                          \
        "extreme path lengths, or the frame's mean inclination (Peters).")                                              \
-  ENUM(weights, "volumetrics.weights", "Weights", 1, 0, "average|transmittance", 0,                                    \
+  ENUM(weights, "volumetrics.weights", "Weights", "transmittance", "", "average|transmittance", 0,                     \
        "Weight of a column in the prefix: equal, or by the transmittance along the reference ray.")                    \
   BOOL(prefix_bounds, "volumetrics.prefix_bounds", "Prefix bounds", 1, 0, TY_PARAMETER_STRUCTURAL,                     \
        "Keep the prefix minimum and maximum of the rectified depth: fully lit and fully shadowed rays are then "       \
@@ -46,11 +47,12 @@
       "Parts into which the columns of a map are split for the prefix: more parallel, one look-up more per region "    \
       "passed, "                                                                                                       \
       "and joined with the ray's own weights.")                                                                        \
-  ENUM(prefix_scheme, "volumetrics.prefix_scheme", "Prefix scheme", 0, 0, "auto|row|block|scan",                       \
+  ENUM(prefix_scheme, "volumetrics.prefix_scheme", "Prefix scheme", "auto", "", "auto|row|block|scan",                 \
        TY_PARAMETER_STRUCTURAL,                                                                                        \
        "One invocation a slice, 8x8 blocks (Peters, appendix C; of exact: eight nodes a slice), or a workgroup scan; " \
        "auto measures which is fastest.")                                                                              \
-  ENUM(row_filter, "volumetrics.row_filter", "Row filter", 1, 0, "nearest|linear|mipmapped", TY_PARAMETER_STRUCTURAL,  \
+  ENUM(row_filter, "volumetrics.row_filter", "Row filter", "linear", "", "nearest|linear|mipmapped",                   \
+       TY_PARAMETER_STRUCTURAL,                                                                                        \
        "Interpolation between slices when the prefix is read; mipmapped also averages up to eight slices that share "  \
        "a pixel, by mips as "                                                                                          \
        "far as they blur no more than a 512th of the columns, by taps beyond. min_max and exact, which look for "      \

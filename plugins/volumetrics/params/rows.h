@@ -1,7 +1,7 @@
 // How a parameter table is written. A table is a macro X_PARAMS(INT, FLOAT, ENUM, BOOL) of rows:
 //   INT  (field, "id", "label", default, min, max, builtMin, builtMax, "unit", flags, "doc")
 //   FLOAT(field, "id", "label", default, min, max, "unit", flags, "doc")
-//   ENUM (field, "id", "label", index of the default, mask of choices not built yet, "a|b|c", flags, "doc")
+//   ENUM (field, "id", "label", "default", "choices not built yet, joined by |", "a|b|c", flags, "doc")
 //   BOOL (field, "id", "label", default, mask of values not built yet (1 false, 2 true), flags, "doc")
 // The C++ struct, the GLSL struct, the ABI table (and from it command line, editor, presets, documentation) all expand
 // the same rows. flags: 0, TY_PARAMETER_STRUCTURAL (a change needs another layout) and TY_PARAMETER_LOGARITHMIC.

@@ -1,6 +1,6 @@
 #include "params/table.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -23,6 +23,11 @@ struct Choices {
       joined = bar == std::string_view::npos ? std::string_view{} : joined.substr(bar + 1);
     }
     for (const std::string& name : names) pointers.push_back(name.c_str());
+  }
+
+  /// A name that a row misspells is a mistake of the plugin's: the index is out of range, which the host refuses.
+  std::uint32_t indexOf(std::string_view name) const {
+    return static_cast<std::uint32_t>(std::find(names.begin(), names.end(), name) - names.begin());
   }
 };
 
@@ -49,11 +54,12 @@ TyParameter number(TyParameter parameter, double low, double high, double builtL
   return parameter;
 }
 
-TyParameter choice(TyParameter parameter, const Choices& choices, std::uint64_t unbuilt) {
+TyParameter choice(TyParameter parameter, const Choices& choices, std::string_view standard, const Choices& unbuilt) {
   parameter.choices = choices.pointers.data();
   parameter.choice_count = static_cast<std::uint32_t>(choices.pointers.size());
   parameter.max_value = parameter.choice_count - 1;
-  parameter.unbuilt = unbuilt;
+  parameter.default_value = choices.indexOf(standard);
+  for (const std::string& name : unbuilt.names) parameter.unbuilt |= 1ull << choices.indexOf(name);
   return parameter;
 }
 
@@ -68,10 +74,10 @@ TyParameter flag(TyParameter parameter, std::uint64_t unbuilt) {
       number(plain(TY_PARAMETER_INT, id, label, standard, unit, flags, doc), low, high, builtLow, builtHigh));
 #define ROW_FLOAT(field, id, label, standard, low, high, unit, flags, doc) \
   rows.push_back(number(plain(TY_PARAMETER_FLOAT, id, label, standard, unit, flags, doc), low, high, low, high));
-#define ROW_ENUM(field, id, label, standard, unbuilt, choices, flags, doc)                                 \
-  {                                                                                                        \
-    static const Choices names(choices);                                                                   \
-    rows.push_back(choice(plain(TY_PARAMETER_ENUM, id, label, standard, "", flags, doc), names, unbuilt)); \
+#define ROW_ENUM(field, id, label, standard, unbuilt, choices, flags, doc)                                             \
+  {                                                                                                                    \
+    static const Choices names(choices);                                                                               \
+    rows.push_back(choice(plain(TY_PARAMETER_ENUM, id, label, 0, "", flags, doc), names, standard, Choices(unbuilt))); \
   }
 #define ROW_BOOL(field, id, label, standard, unbuilt, flags, doc) \
   rows.push_back(flag(plain(TY_PARAMETER_BOOL, id, label, standard, "", flags, doc), unbuilt));

@@ -10,7 +10,7 @@
       TY_PARAMETER_STRUCTURAL,                                                                                        \
       "Fourier functions that one invocation filters, rounded up to a multiple of four (a texel): fewer are more "    \
       "parallel but read the rectified map more often.")                                                              \
-  ENUM(basis_evaluation, "volumetrics.basis_evaluation", "Basis evaluation", 0, 0, "fused|separate",                  \
+  ENUM(basis_evaluation, "volumetrics.basis_evaluation", "Basis evaluation", "fused", "", "fused|separate",           \
        TY_PARAMETER_STRUCTURAL,                                                                                       \
        "Evaluate the basis inside the filter, or in a pass of its own that stores it (more memory traffic).")
 

@@ -7,10 +7,10 @@
   INT(steps, "volumetrics.steps", "Steps", 64, 1, 16384, 1, 16384, "", TY_PARAMETER_LOGARITHMIC,                       \
       "Visibility samples a ray and light, spread over the part of the ray that can be shadowed at all; of a spot or " \
       "point light, over the part that its cone and range reach.")                                                     \
-  ENUM(jitter, "volumetrics.jitter", "Jitter", 0, 0, "none|white", 0,                                                  \
+  ENUM(jitter, "volumetrics.jitter", "Jitter", "none", "", "none|white", 0,                                            \
        "Offset of the samples inside their strata: the middle, or one random offset a pixel and frame.")               \
   ENUM(                                                                                                                \
-      march_spacing, "volumetrics.march_spacing", "Spacing", 1, 0, "distance|transmittance", 0,                        \
+      march_spacing, "volumetrics.march_spacing", "Spacing", "transmittance", "", "distance|transmittance", 0,         \
       "Strata of equal length, or where samples count: for a sun of equal share of the transmittance integral, for a " \
       "spot or point light of equal angle as seen from the light.")
 
