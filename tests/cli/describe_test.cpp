@@ -68,12 +68,17 @@ TEST_F(Describe, EveryParameterIdOfTheContract) {
 
 TEST_F(Describe, DefaultsChoicesAndRangesOfTheContract) {
   const auto parameters = parametersOf(tyndall({"describe", "--json"}));
-  const std::map<std::string, json> defaults = {
-      {"volumetrics.placement", "pixel"},  {"volumetrics.rectification", "epipolar"},
-      {"volumetrics.columns", 1024},       {"volumetrics.slices", 1024},
-      {"volumetrics.reference_rays", 3},   {"volumetrics.weights", "transmittance"},
-      {"volumetrics.prefix_bounds", true}, {"volumetrics.levels", 0},
-      {"volumetrics.reuse", false},        {"volumetrics.enabled", true}};
+  const std::map<std::string, json> defaults = {{"volumetrics.technique", "exact"},
+                                                {"volumetrics.placement", "pixel"},
+                                                {"volumetrics.rectification", "epipolar"},
+                                                {"volumetrics.columns", 1024},
+                                                {"volumetrics.slices", 1024},
+                                                {"volumetrics.reference_rays", 3},
+                                                {"volumetrics.weights", "transmittance"},
+                                                {"volumetrics.prefix_bounds", true},
+                                                {"volumetrics.levels", 0},
+                                                {"volumetrics.reuse", false},
+                                                {"volumetrics.enabled", true}};
   for (const auto& [id, value] : defaults) EXPECT_EQ(parameters.at(id).at("default"), value) << id;
 
   const std::map<std::string, json> choices = {

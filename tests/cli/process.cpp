@@ -10,6 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <nlohmann/json.hpp>
+
 namespace tyndall::cli {
 namespace fs = std::filesystem;
 
@@ -68,6 +70,17 @@ void CliTest::SetUp() {
 void CliTest::TearDown() {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
+}
+
+std::vector<std::string> CliTest::techniques() const {
+  const Outcome described = tyndall({"describe", "--json"});
+  EXPECT_EQ(described.status, 0) << described.err;
+  std::vector<std::string> ids;
+  const auto parsed = nlohmann::json::parse(described.out);
+  for (const auto& plugin : parsed.at("plugins"))
+    for (const auto& technique : plugin.at("techniques")) ids.push_back(technique.at("id"));
+  EXPECT_FALSE(ids.empty());
+  return ids;
 }
 
 std::vector<std::string> CliTest::files() const {

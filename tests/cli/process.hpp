@@ -33,6 +33,8 @@ class CliTest : public ::testing::Test {
   Outcome tyndall(const std::vector<std::string>& arguments, const Environment& environment = {}) const {
     return run(folder_, arguments, environment);
   }
+  /// Ids of all techniques that `describe --json` names.
+  std::vector<std::string> techniques() const;
   /// Names of everything in the folder, sorted, hidden files too.
   std::vector<std::string> files() const;
   /// Runs and expects `status`, an empty stdout, one line on stderr that contains each of `words`, and no new file.
