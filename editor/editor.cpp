@@ -292,7 +292,7 @@ void Editor::drawSide(float x, float y, float width, float height) {
   const float figures =
       Layout::sizeOf(settings_.layout.figures, std::clamp(height * 0.42f, scaled(90), scaled(380)), least, most);
   ImGui::BeginChild("parameters", {0, std::max(room - figures, 1.0f)});
-  parameters_.draw(session_->catalogue(), workspace_);
+  parameters_.draw(*session_, workspace_);
   ImGui::EndChild();
   dragBar("figures edge", Edge::kTop, figures, least, most, settings_.layout.figures, workspace_);
   if (ImGui::BeginTabBar("figures")) {

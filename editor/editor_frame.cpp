@@ -32,7 +32,7 @@ bool Editor::pictureWanted() const {
   const bool otherSize =
       !picture_ || (!dividing_ && (picture_.desc().width != viewWidth_ || picture_.desc().height != viewHeight_));
   return workspace_.changed || workspace_.playing || workspace_.continuous || options_.frames > 0 || otherSize ||
-         session_->background() == host::PluginEffect::Background::kReady;
+         session_->exposureMoving() || session_->background() == host::PluginEffect::Background::kReady;
 }
 
 Result<void> Editor::renderPicture() {
@@ -42,6 +42,8 @@ Result<void> Editor::renderPicture() {
   request.camera = camera_->view(fileCamera());
   request.seconds = workspace_.seconds;
   request.debugView = workspace_.debugView;
+  request.meter = true;
+  request.adaptSeconds = static_cast<float>(glfwGetTime() - pictureTime_);
   gpu::Image next;
   if (!picture_ || picture_.desc().width != viewWidth_ || picture_.desc().height != viewHeight_) {
     gpu::ImageDesc desc{

@@ -81,7 +81,8 @@ void ParameterPanel::header(app::Catalogue& catalogue, Workspace& workspace) {
   ImGui::PopStyleVar();
 }
 
-void ParameterPanel::draw(app::Catalogue& catalogue, Workspace& workspace) {
+void ParameterPanel::draw(app::Session& session, Workspace& workspace) {
+  app::Catalogue& catalogue = session.catalogue();
   header(catalogue, workspace);
   const params::Table& table = catalogue.table();
   std::size_t shown = 0;
@@ -102,15 +103,16 @@ void ParameterPanel::draw(app::Catalogue& catalogue, Workspace& workspace) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.45f);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.55f);
     ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
-    for (const params::Parameter* parameter : rows) row(catalogue, *parameter, workspace);
+    for (const params::Parameter* parameter : rows) row(session, *parameter, workspace);
     ImGui::EndTable();
   }
   if (shown == 0)
     ImGui::TextColored(kDimColor, "%s", changedOnly_ ? "no changed parameter matches" : "no parameter matches");
 }
 
-void ParameterPanel::row(app::Catalogue& catalogue, const params::Parameter& parameter, Workspace& workspace) {
-  params::Table& table = catalogue.table();
+void ParameterPanel::row(app::Session& session, const params::Parameter& parameter, Workspace& workspace) {
+  const app::Catalogue& catalogue = session.catalogue();
+  params::Table& table = session.table();
   const bool read = isRead(catalogue, parameter), changed = table.changed(parameter.id);
   ImGui::PushID(parameter.id.c_str());
   ImGui::TableNextRow();
@@ -132,6 +134,12 @@ void ParameterPanel::row(app::Catalogue& catalogue, const params::Parameter& par
   const bool waits = pending_ && pending_->id == parameter.id;
   const auto value = parameterWidget(parameter, waits ? pending_->value : table.value(parameter.id), workspace);
   workspace.place(parameter.id);
+  if (parameter.id == "view.auto_exposure") {
+    ImGui::SameLine();
+    static constexpr const char* kSources[] = {"measured", "the level's", "fixed"};
+    ImGui::TextDisabled("%s, factor %.3g", kSources[static_cast<int>(session.exposureSource())],
+                        session.exposureFactor());
+  }
   const bool slides = parameter.type == params::Type::kInt || parameter.type == params::Type::kFloat;
   if (value && slides && parameter.structural)
     pending_ = Pending{parameter.id, *value};
@@ -144,8 +152,10 @@ void ParameterPanel::row(app::Catalogue& catalogue, const params::Parameter& par
 
   ImGui::TableNextColumn();
   if (changed) {
-    if (ImGui::ArrowButton("##reset", ImGuiDir_Left) || labelDoubleClicked)
-      set(table, parameter.id, parameter.defaultValue, workspace);
+    if (ImGui::ArrowButton("##reset", ImGuiDir_Left) || labelDoubleClicked) {
+      table.reset(parameter.id);
+      workspace.changed = true;
+    }
     workspace.place("reset " + parameter.id);
     if (ImGui::IsItemHovered())
       ImGui::SetTooltip("back to %s", params::toText(parameter, parameter.defaultValue).c_str());

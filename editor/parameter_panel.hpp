@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/catalogue.hpp"
+#include "app/session.hpp"
 #include "workspace.hpp"
 
 namespace tyndall::editor {
@@ -13,7 +13,7 @@ namespace tyndall::editor {
 class ParameterPanel {
  public:
   /// Draws into the current ImGui window. A refused value becomes the workspace's message.
-  void draw(app::Catalogue& catalogue, Workspace& workspace);
+  void draw(app::Session& session, Workspace& workspace);
   /// The search field gets the keyboard in the next frame.
   void search() { focusSearch_ = true; }
   /// A slider is held whose value is not in the table yet.
@@ -22,7 +22,7 @@ class ParameterPanel {
  private:
   bool found(const params::Parameter& parameter) const;
   void header(app::Catalogue& catalogue, Workspace& workspace);
-  void row(app::Catalogue& catalogue, const params::Parameter& parameter, Workspace& workspace);
+  void row(app::Session& session, const params::Parameter& parameter, Workspace& workspace);
   void set(params::Table& table, const std::string& id, double value, Workspace& workspace);
 
   /// A slider being dragged whose parameter is structural: new images each frame would be slow, so the value is taken

@@ -7,6 +7,6 @@
 namespace tyndall::editor {
 
 /// The line at the bottom: the newest message, else device and size of the picture.
-void drawStatus(app::Session& session, const Workspace& workspace, std::uint32_t width, std::uint32_t height);
+void drawStatus(app::Session& session, Workspace& workspace, std::uint32_t width, std::uint32_t height);
 
 }  // namespace tyndall::editor

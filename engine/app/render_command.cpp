@@ -1,5 +1,6 @@
 // tyndall render: everything that can be wrong with the call is checked before the first frame; files are written after
 // the last, all or none.
+#include "app/haze.hpp"
 #include "app/level.hpp"
 #include "app/outputs.hpp"
 #include "app/values.hpp"
@@ -41,6 +42,7 @@ Result<void> runRender(const RenderOptions& options) {
     return failed("--validate: the validation layer gave " + std::to_string(run->validationMessages) +
                   " messages (above); none is right");
   notes.insert(notes.end(), session.renderer().notes().begin(), session.renderer().notes().end());
+  if (const auto haze = hidingHaze(session)) notes.push_back(haze->line);
 
   std::vector<std::string> told = warnings;
   told.insert(told.end(), notes.begin(), notes.end());

@@ -46,6 +46,7 @@ Result<void> unknownView(const Session& session, const std::string& name) {
 
 Result<RenderRun> renderFrames(Session& session, const RenderOptions& options, const scene::CameraView& camera) {
   FrameRequest request{options.size.first, options.size.second, camera, options.seconds, "", {}, false};
+  request.meter = true;  // of the warm-up; the frames that are timed do what their settings ask for
   // The picture is always read: the graph drops passes that nobody needs, and the times are of the whole frame.
   const ReadbackWants wants{true, !options.scatter.empty(), !options.depth.empty()};
   RenderRun run;
@@ -65,6 +66,7 @@ Result<RenderRun> renderFrames(Session& session, const RenderOptions& options, c
     resolved = now;
     if (frame + 1 >= kWarmUpFrames && unchanged >= (resolved.empty() ? 1u : kFramesPerVariant)) break;
   }
+  request.meter = false;
   std::vector<std::vector<render::PassTime>> frames;
   for (std::uint32_t frame = 0; frame < options.frames; ++frame) {
     if (auto done = oneFrame(session, request, wants, run); !done) return done.error();

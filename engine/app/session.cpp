@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "base/assert.hpp"
 #include "base/file.hpp"
@@ -41,6 +42,7 @@ Result<void> Session::setLevel(Level level) {
   level_ = std::move(level);
   frameBuilder_->cancel();
   drawn_.reset(), coming_.reset();
+  metered_.reset();
   momentsForeseen_ = false;
   ++levelsSet_;
   cut_ = true;
@@ -51,7 +53,13 @@ render::FrameSettings Session::asked(const FrameRequest& request) const {
   const params::Table& values = catalogue_->table();
   const auto text = [&](const char* id) { return params::toText(*values.find(id), values.value(id)); };
   render::FrameSettings settings;
+  const ExposureSource source = exposureSource();
   settings.exposure = static_cast<float>(values.value("view.exposure"));
+  if (source == ExposureSource::kLevel) settings.exposure *= *level_->scene.exposure;
+  settings.autoExposure = source == ExposureSource::kAutomatic;
+  settings.meter = request.meter;
+  settings.adaptSeconds = request.reset || cut_ ? -1 : request.adaptSeconds;
+  settings.shownExposure = exposureFactor();
   settings.shadowResolution = static_cast<std::uint32_t>(values.value("shadows.resolution"));
   settings.reuseShadows = values.value("shadows.reuse") != 0;
   settings.shadowMode = text("shadows.mode") == "moments" ? render::ShadowMode::kMoments : render::ShadowMode::kPcf;
@@ -59,6 +67,31 @@ render::FrameSettings Session::asked(const FrameRequest& request) const {
   settings.debugView = request.debugView;
   settings.offered = request.views;
   return settings;
+}
+
+Session::ExposureSource Session::exposureSource() const {
+  const params::Table& values = catalogue_->table();
+  const bool hint = level_ && level_->scene.exposure;
+  if (values.isAssigned("view.auto_exposure") || !hint) {
+    if (values.value("view.auto_exposure") != 0) return ExposureSource::kAutomatic;
+  }
+  return hint ? ExposureSource::kLevel : ExposureSource::kFixed;
+}
+
+float Session::exposureFactor() const {
+  const auto own = static_cast<float>(catalogue_->table().value("view.exposure"));
+  switch (exposureSource()) {
+    case ExposureSource::kAutomatic: return own * (metered_ ? metered_->factor : 1);
+    case ExposureSource::kLevel: return own * *level_->scene.exposure;
+    case ExposureSource::kFixed: break;
+  }
+  return own;
+}
+
+bool Session::exposureMoving() const {
+  constexpr float kSeen = 0.01f;  // stops; a step of an 8-bit picture is some 0.03
+  return metered_ && exposureSource() == ExposureSource::kAutomatic &&
+         std::abs(std::log2(metered_->target / metered_->factor)) > kSeen;
 }
 
 namespace {
@@ -135,6 +168,7 @@ Result<render::FrameOutput> Session::buildFrame(render::Graph& graph, const Fram
     return output;
   }
   commands_ = *commands;
+  currentSlot().metered = output->metered;
   lastSize_ = size;
   cut_ = false;
   return output;
@@ -180,6 +214,7 @@ void Session::takeTimes(Slot& slot) {
             std::to_string(spans.size()) + " times for " + std::to_string(slot.passes.size()) + " passes");
   for (std::size_t i = 0; i < spans.size(); ++i) slot.passes[i].milliseconds = spans[i];
   lastTimes_ = slot.passes;
+  if (slot.metered) metered_ = renderer_->metered(*std::exchange(slot.metered, std::nullopt));
   ++finished_;
   effect_->frameFinished(lastTimes_);
 }

@@ -115,6 +115,9 @@ std::string statsJson(const RenderOptions& options, Session& session, const Rend
   Json resolved = Json::object();
   for (const auto& [id, value] : session.effect().resolved()) resolved[id] = value;
   j["resolved"] = resolved;
+  static constexpr const char* kSources[] = {"automatic", "level", "fixed"};
+  j["exposure"] = {{"source", kSources[static_cast<int>(session.exposureSource())]},
+                   {"factor", session.exposureFactor()}};
   j["unused_settings"] = catalogue.unusedSettings();
   j["memory"] = {{"device_bytes", run.deviceBytes},
                  {"transient_bytes", run.transientBytes},

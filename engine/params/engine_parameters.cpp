@@ -48,14 +48,24 @@ std::vector<Parameter> engineParameters() {
   Parameter exposure;
   exposure.id = "view.exposure";
   exposure.name = "Exposure";
-  exposure.doc = "Linear factor on radiance before the tone map.";
+  exposure.doc = "Linear factor on radiance before the tone map, on top of what view.auto_exposure or the level says.";
   exposure.type = Type::kFloat;
   exposure.defaultValue = 1;
   exposure.min = exposure.builtMin = 1e-4;
   exposure.max = exposure.builtMax = 1e4;
   exposure.logarithmic = true;
 
-  std::vector<Parameter> all = {mode, resolution, precision, reuse, exposure};
+  Parameter automatic;
+  automatic.id = "view.auto_exposure";
+  automatic.name = "Automatic exposure";
+  automatic.doc =
+      "Measures the picture and brings its mean to 18 % grey; view.exposure is a factor on top. Unless it is set, a "
+      "level whose extras have an exposure is shown with that one.";
+  automatic.type = Type::kBool;
+  automatic.defaultValue = 1;
+  automatic.max = automatic.builtMax = 1;
+
+  std::vector<Parameter> all = {mode, resolution, precision, reuse, exposure, automatic};
   for (Parameter& p : all) p.owner = "engine";
   return all;
 }

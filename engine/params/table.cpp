@@ -92,6 +92,19 @@ bool Table::changed(std::string_view id) const {
   return values_[*i] != parameters_[*i].defaultValue;
 }
 
+bool Table::isAssigned(std::string_view id) const {
+  const auto i = indexOf(id);
+  TY_ASSERT(i.has_value(), "no parameter " + std::string(id));
+  return assigned_[*i];
+}
+
+void Table::reset(std::string_view id) {
+  const auto i = indexOf(id);
+  TY_ASSERT(i.has_value(), "no parameter " + std::string(id));
+  values_[*i] = parameters_[*i].defaultValue;
+  assigned_[*i] = false;
+}
+
 Result<void> Table::set(std::string_view id, double value) {
   const auto i = indexOf(id);
   if (!i) return unknownId(id);

@@ -4,8 +4,8 @@
 namespace tyndall::render {
 
 Result<ImageRef> addCompositePass(Graph& graph, const PassTools& tools, ImageRef color, ImageRef scatter,
-                                  float exposure) {
-  Result<const gpu::Pipeline*> pipeline = tools.pipelines.get(compositeRecipe(static_cast<bool>(scatter)));
+                                  float exposure, const gpu::Buffer& meter, bool metered) {
+  Result<const gpu::Pipeline*> pipeline = tools.pipelines.get(compositeRecipe(static_cast<bool>(scatter), metered));
   if (!pipeline) return pipeline.error();
   const gpu::ImageDesc& size = graph.desc(color);
   TY_ASSERT(!scatter || (graph.desc(scatter).width == size.width && graph.desc(scatter).height == size.height),
@@ -14,11 +14,13 @@ Result<ImageRef> addCompositePass(Graph& graph, const PassTools& tools, ImageRef
   Graph::Pass pass = graph.pass("composite");
   pass.use(color, Use::kSampledGraphics).use(picture, Use::kColorWrite);
   if (scatter) pass.use(scatter, Use::kSampledGraphics);
+  if (metered) pass.use(graph.import(meter), Use::kSampledGraphics);
   const ImageRef second = scatter ? scatter : color;  // bound but not read without scatter
-  pass.run([=, &use = **pipeline, texel = tools.samplers.texel](PassContext& context) {
+  pass.run([=, &meter, &use = **pipeline, texel = tools.samplers.texel](PassContext& context) {
     context.beginRendering({{picture}});
     gpu::Descriptors descriptors(context.commands(), use);
     descriptors.sampled(0, context.view(color), texel).sampled(1, context.view(second), texel);
+    descriptors.storageBuffer(2, meter.handle());
     drawFullScreen(context.commands(), use, descriptors, exposure);
     context.endRendering();
   });

@@ -42,9 +42,10 @@ Result<void> addLightingPasses(Graph& graph, const PassTools& tools, const std::
 /// fog of the opaque surface behind them. The four most important lights shadow them.
 Result<void> addTransparentPass(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame);
 
-/// picture = toneMap(exposure * (color * T + scatter)); an empty `scatter` stands for scatter 0 and T 1.
+/// picture = toneMap(exposure * (color * T + scatter)); an empty `scatter` stands for scatter 0 and T 1. With
+/// `metered`, the exposure is a factor on what ExposureMeter has found in this frame.
 Result<ImageRef> addCompositePass(Graph& graph, const PassTools& tools, ImageRef color, ImageRef scatter,
-                                  float exposure);
+                                  float exposure, const gpu::Buffer& meter, bool metered);
 
 Result<ImageRef> addDistancePass(Graph& graph, const PassTools& tools, const View& view, ImageRef depth);
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scene/scene.hpp"
+#include "shared/exposure.h"
 #include "shared/light.h"
 
 namespace tyndall::render {
@@ -140,10 +141,13 @@ Recipe lightingRecipe(bool base, std::uint32_t slots, ShadowMaps maps, bool cook
   return recipe;
 }
 
-Recipe compositeRecipe(bool scatter) {
-  Recipe recipe = fullScreen(scatter ? "composite with scatter" : "composite", "composite.frag", kPictureFormat);
+Recipe compositeRecipe(bool scatter, bool metered) {
+  Recipe recipe = fullScreen(
+      std::string(scatter ? "composite with scatter" : "composite") + (metered ? ", automatic exposure" : ""),
+      "composite.frag", kPictureFormat);
   addSampled(recipe.desc.bindings, 0, 2);
-  recipe.desc.specialization = {{0, scatter ? 1u : 0u}};
+  recipe.desc.bindings.push_back({2, kStorage});
+  recipe.desc.specialization = {{0, scatter ? 1u : 0u}, {1, metered ? 1u : 0u}};
   recipe.desc.pushConstantBytes = sizeof(float);
   return recipe;
 }
@@ -159,6 +163,25 @@ Recipe debugViewRecipe() {
   Recipe recipe = fullScreen("debug view", "debug_view.frag", kPictureFormat);
   addSampled(recipe.desc.bindings, 0, 1);
   recipe.desc.pushConstantBytes = sizeof(DebugPush);
+  return recipe;
+}
+
+ComputeRecipe exposureMeterRecipe(bool scatter) {
+  ComputeRecipe recipe;
+  recipe.shader = "exposure_meter.comp";
+  recipe.desc.name = scatter ? "exposure meter with scatter" : "exposure meter";
+  recipe.desc.bindings = {{0, kSampled}, {1, kSampled}, {2, kSampled}, {3, kStorage}};
+  recipe.desc.pushConstantBytes = sizeof(shared::MeterPush);
+  recipe.desc.specialization = {{0, scatter ? 1u : 0u}};
+  return recipe;
+}
+
+ComputeRecipe exposureAdaptRecipe() {
+  ComputeRecipe recipe;
+  recipe.shader = "exposure_adapt.comp";
+  recipe.desc.name = "exposure adapt";
+  recipe.desc.bindings = {{0, kStorage}, {1, kStorage}, {2, kStorage}};
+  recipe.desc.pushConstantBytes = sizeof(shared::MeterPush);
   return recipe;
 }
 

@@ -45,9 +45,12 @@ Recipe casterRecipe(bool mask);
 Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t slots, ShadowMaps maps, bool cookies);
 /// `base`: the first pass, which also writes sky and emission; others add.
 Recipe lightingRecipe(bool base, std::uint32_t slots, ShadowMaps maps, bool cookies);
-Recipe compositeRecipe(bool scatter);
+/// `metered`: the exposure is a factor on what exposure_adapt.comp has found.
+Recipe compositeRecipe(bool scatter, bool metered);
 Recipe distanceRecipe();
 Recipe debugViewRecipe();
+ComputeRecipe exposureMeterRecipe(bool scatter);
+ComputeRecipe exposureAdaptRecipe();
 /// `rows`: the first direction, from depths; else the second, from what the first made.
 ComputeRecipe momentBlurRecipe(bool rows, VkFormat format);
 ComputeRecipe momentMipRecipe();

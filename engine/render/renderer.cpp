@@ -1,8 +1,12 @@
 // Puts the frame together: blocks, passes in order, effect, output.
+#include <algorithm>
+#include <cmath>
+
 #include "base/assert.hpp"
 #include "base/hash.hpp"
 #include "debug_views.hpp"
 #include "draw_record.hpp"
+#include "exposure.hpp"
 #include "passes.hpp"
 #include "render/frame.hpp"
 #include "sky.hpp"
@@ -27,6 +31,7 @@ struct Renderer::State {
   ShadowCache shadows;
   FrameSamplers samplers;
   gpu::Image unusedMap;
+  ExposureMeter exposure;
   std::shared_ptr<const SceneResources> resources;
   std::vector<std::string> notes;
 };
@@ -39,8 +44,11 @@ Result<std::unique_ptr<Renderer>> Renderer::create(gpu::Device& device, const st
   Result<gpu::Image> white = uploadTexture(device, {"unused shadow map", 1, 1, {255, 255, 255, 255}}, false);
   if (!white) return white.error();
   renderer->state_->unusedMap = white.take();
+  Result<ExposureMeter> meter = ExposureMeter::create(device);
+  if (!meter) return meter.error();
+  renderer->state_->exposure = meter.take();
   // A missing shader folder is told at once, not at the first frame.
-  Result<const gpu::Pipeline*> probe = renderer->state_->pipelines.get(compositeRecipe(false));
+  Result<const gpu::Pipeline*> probe = renderer->state_->pipelines.get(compositeRecipe(false, false));
   if (!probe) return probe.error();
   return renderer;
 }
@@ -191,14 +199,25 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
     output.scatter = *scatter;
   }
 
+  const FrameSettings& settings = input.settings;
+  if (settings.autoExposure || settings.meter) {
+    const Result<std::uint32_t> slot = state_->exposure.addPasses(graph, tools, frame->view, frame->color,
+                                                                  output.scatter, frame->depth, settings.adaptSeconds);
+    if (!slot) return slot.error();
+    output.metered = *slot;
+  }
+  const auto composite = [&] {
+    return addCompositePass(graph, tools, frame->color, output.scatter, settings.exposure, state_->exposure.metered(),
+                            settings.autoExposure);
+  };
   if (debugView.empty()) {
-    Result<ImageRef> picture = addCompositePass(graph, tools, frame->color, output.scatter, input.settings.exposure);
+    Result<ImageRef> picture = composite();
     if (!picture) return picture.error();
     output.picture = *picture;
   } else {
     Result<Effect::DebugImage> shown = Effect::DebugImage{};
     if (isEngineDebugView(debugView)) {
-      shown = engineDebugImage(graph, tools, *frame, debugView, output.scatter, input.settings.exposure);
+      shown = engineDebugImage(graph, tools, *frame, debugView, output.scatter, settings.shownExposure);
       if (!shown) return shown.error();
     } else {
       TY_ASSERT(input.effect, "debug view '" + debugView + "' is not the engine's and there is no effect");
@@ -208,16 +227,14 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
     const bool none = !isEngineDebugView(debugView) && !shown->image;
     if (none)
       frame->plan.notes.push_back("debug view '" + debugView + "': there is none in this frame; the picture is shown");
-    Result<ImageRef> picture =
-        none ? addCompositePass(graph, tools, frame->color, output.scatter, input.settings.exposure)
-             : addDebugPass(graph, tools, frame->view, *shown);
+    Result<ImageRef> picture = none ? composite() : addDebugPass(graph, tools, frame->view, *shown);
     if (!picture) return picture.error();
     output.picture = *picture;
   }
   for (const std::string& name : input.settings.offered) {
     Result<Effect::DebugImage> view = Effect::DebugImage{};
     if (isEngineDebugView(name))
-      view = engineDebugImage(graph, tools, *frame, name, output.scatter, input.settings.exposure);
+      view = engineDebugImage(graph, tools, *frame, name, output.scatter, settings.shownExposure);
     else if (input.effect)
       view = input.effect->debugImage(name);
     if (!view) return view.error();
@@ -231,6 +248,13 @@ ImageRef Renderer::addDistance(Graph& graph, const View& view, ImageRef depth) {
   Result<ImageRef> distance = addDistancePass(graph, state_->tools(), view, depth);
   TY_ASSERT(distance.ok(), distance.error().message);
   return *distance;
+}
+
+Metered Renderer::metered(std::uint32_t slot) const {
+  const shared::MeteredBlock block = state_->exposure.read(slot);
+  const float samples = static_cast<float>(std::max(block.samples, 1u));
+  return {std::exp2(block.logFactor), std::exp2(block.logTarget), static_cast<float>(block.surfaces) / samples,
+          block.transmittance, block.distance};
 }
 
 PipelineLibrary& Renderer::pipelines() { return state_->pipelines; }

@@ -86,6 +86,7 @@ struct Animation {
 };
 
 struct Document {
+  std::optional<float> exposure;                    ///< Scene::exposure
   std::vector<std::vector<unsigned char>> buffers;  ///< a buffer whose bytes are absent is empty
   std::vector<BufferView> views;
   std::vector<Accessor> accessors;

@@ -251,6 +251,23 @@ document::Animation animation(const tinygltf::Animation& in) {
   return out;
 }
 
+/// The level's exposure in the extras of its scene, of the document or of its asset, the first that has one.
+std::optional<float> exposureHint(const tinygltf::Model& model, Warnings& warnings) {
+  std::vector<const Value*> places = {&model.extras, &model.asset.extras};
+  const int shown = std::max(model.defaultScene, 0);
+  if (static_cast<std::size_t>(shown) < model.scenes.size()) places.insert(places.begin(), &model.scenes[shown].extras);
+  for (const Value* extras : places) {
+    if (!extras->IsObject() || !extras->Has("tyndall") || !extras->Get("tyndall").IsObject()) continue;
+    const Value& ours = extras->Get("tyndall");
+    if (!ours.Has("exposure")) continue;
+    const Value& hint = ours.Get("exposure");
+    const double factor = hint.IsNumber() ? hint.GetNumberAsDouble() : 0;
+    if (factor >= kMinExposure && factor <= kMaxExposure) return static_cast<float>(factor);
+    warnings.add("extras: tyndall.exposure is passed over; a number from 1e-12 to 1e12 is right");
+  }
+  return {};
+}
+
 template <class Out, class In, class Convert>
 void convert(std::vector<Out>& out, const std::vector<In>& in, Convert&& one) {
   out.reserve(in.size());
@@ -275,6 +292,7 @@ document::Document parseGltf(Prepared prepared, Warnings& warnings) {
   if (!warning.empty()) warnings.add("tinygltf: " + oneLine(warning));
 
   document::Document out;
+  out.exposure = exposureHint(model, warnings);
   for (tinygltf::Buffer& buffer : model.buffers) out.buffers.push_back(std::move(buffer.data));
   convert(out.views, model.bufferViews, [](const auto& v) {
     return document::BufferView{v.buffer, v.byteOffset, v.byteLength, v.byteStride};

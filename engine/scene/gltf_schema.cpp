@@ -42,8 +42,15 @@ Property objects(const char* key, const Schema& schema, std::size_t most = std::
   return {.key = key, .kind = Kind::kObjects, .maxItems = most, .object = &schema};
 }
 
+Property freeObject(const char* key, const Schema& schema) {
+  return {.key = key, .kind = Kind::kObject, .free = true, .object = &schema};
+}
+
 const Schema kEmpty{};
-const Schema kAsset{{text("version", nullptr, true), text("minVersion")}};
+// Ours, in the extras of scene, document and asset: docs/conventions.md, "Exposure".
+const Schema kLevelHints{{{.key = "exposure", .kind = Kind::kAny}}};
+const Schema kLevelExtras{{freeObject("tyndall", kLevelHints)}};
+const Schema kAsset{{text("version", nullptr, true), text("minVersion"), freeObject("extras", kLevelExtras)}};
 const Schema kBuffer{{text("uri"), integer("byteLength", 1, kMaxInt, true)}};
 const Schema kBufferView{{index("buffer", "buffers", true), integer("byteOffset", 0, kMaxInt),
                           integer("byteLength", 1, kMaxInt, true), integer("byteStride", 4, 252)}};
@@ -103,7 +110,7 @@ const Schema kNodeExtensions{{object("KHR_lights_punctual", kNodeLight)}};
 const Schema kNode{{text("name"), indices("children", "nodes"), index("camera", "cameras"), index("mesh", "meshes"),
                     index("skin", "skins"), vector("matrix", 16), vector("translation", 3), vector("rotation", 4),
                     vector("scale", 3), object("extensions", kNodeExtensions)}};
-const Schema kScene{{text("name"), indices("nodes", "nodes")}};
+const Schema kScene{{text("name"), indices("nodes", "nodes"), freeObject("extras", kLevelExtras)}};
 
 const Schema kPerspective{
     {{.key = "yfov", .kind = Kind::kNumber, .required = true, .low = 1e-4, .high = 3.1415},
@@ -118,13 +125,9 @@ const Schema kCookie{
     {index("index", "textures", true),
      {.key = "size", .kind = Kind::kNumbers, .low = 1e-4, .high = kMaxExtent, .minItems = 2, .maxItems = 2}}};
 const Schema kLightExtras{{object("cookie", kCookie)}};
-const Schema kLight{{text("name"),
-                     text("type", "directional|point|spot", true),
-                     factors("color", 3, kMaxColor),
-                     factor("intensity", 0, kMaxIntensity),
-                     factor("range", 0, kMaxExtent),
-                     object("spot", kSpot),
-                     {.key = "extras", .kind = Kind::kObject, .free = true, .object = &kLightExtras}}};
+const Schema kLight{{text("name"), text("type", "directional|point|spot", true), factors("color", 3, kMaxColor),
+                     factor("intensity", 0, kMaxIntensity), factor("range", 0, kMaxExtent), object("spot", kSpot),
+                     freeObject("extras", kLightExtras)}};
 const Schema kLights{{objects("lights", kLight)}};
 const Schema kDocumentExtensions{{object("KHR_lights_punctual", kLights)}};
 
@@ -150,7 +153,8 @@ const Schema kDocument{{object("asset", kAsset, true),
                         index("scene", "scenes"),
                         objects("cameras", kCamera),
                         objects("animations", kAnimation),
-                        object("extensions", kDocumentExtensions)}};
+                        object("extensions", kDocumentExtensions),
+                        freeObject("extras", kLevelExtras)}};
 
 }  // namespace
 

@@ -32,6 +32,7 @@ Import import(const std::filesystem::path& path, std::vector<std::byte> file) {
   file = {};  // everything needed has been copied out
   document::Document document = parseGltf(std::move(prepared), warnings);
   Import out;
+  out.scene.exposure = document.exposure;
   importMaterials(document, out.scene, warnings);
   const std::vector<std::int32_t> sceneNode = importNodes(document, out.scene, warnings);
   importMeshes(document, out.scene, warnings);

@@ -115,6 +115,7 @@ Json checkedAttributes(const Json& value, const Place& at) {
 
 Json checkedValue(const Json& value, const Place& at) {
   switch (at.property.kind) {
+    case Kind::kAny: return value;
     case Kind::kBoolean:
       if (!value.is_boolean()) refuse(at.path + " is not true or false");
       return value;

@@ -16,6 +16,7 @@ namespace tyndall::scene {
 using Json = nlohmann::json;
 
 enum class Kind {
+  kAny,  ///< taken as it is; whoever reads it checks it
   kBoolean,
   kString,
   kNumber,

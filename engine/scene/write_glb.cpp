@@ -242,6 +242,7 @@ Result<std::vector<std::byte>> Writer::write() {
   Json root = Json::object();
   name(root, scene.name);
   addIfAny(root, "nodes", std::move(roots));
+  if (scene.exposure) root["extras"]["tyndall"]["exposure"] = *scene.exposure;
   document["scene"] = 0;
   document["scenes"] = Json::array({std::move(root)});
   addIfAny(document, "nodes", std::move(nodes));

@@ -19,7 +19,9 @@ int main(int argc, char** argv) {
     return 1;
   }
   for (const levels::Sample& sample : levels::kSamples) {
-    const auto written = scene::writeGlb(sample.make(), folder / (std::string(sample.name) + ".glb"));
+    scene::Scene level = sample.make();
+    level.exposure = 1;  // lit for the tone map as it is
+    const auto written = scene::writeGlb(level, folder / (std::string(sample.name) + ".glb"));
     if (!written) {
       std::cerr << written.error().message << '\n';
       return 1;

@@ -34,6 +34,7 @@ namespace f32 {
 #include "lib/wavelet.glsl"
 #include "lib/local_light.glsl"
 #include "lib/cube_map.glsl"
+#include "lib/exposure.glsl"
 }  // namespace f32
 namespace f64 {
 #include "lib/medium.glsl"
@@ -45,6 +46,7 @@ namespace f64 {
 #include "lib/wavelet.glsl"
 #include "lib/local_light.glsl"
 #include "lib/cube_map.glsl"
+#include "lib/exposure.glsl"
 }  // namespace f64
 namespace f80 {
 #include "lib/medium.glsl"
@@ -56,6 +58,7 @@ namespace f80 {
 #include "lib/wavelet.glsl"
 #include "lib/local_light.glsl"
 #include "lib/cube_map.glsl"
+#include "lib/exposure.glsl"
 }  // namespace f80
 // clang-format on
 }  // namespace tyndall::lib

@@ -12,7 +12,7 @@ TEST(PipelineLibrary, ManyThatNoFrameAsksForGo) {
   PipelineLibrary library(**device, std::filesystem::path(TYNDALL_BIN_DIR) / "shaders");
   constexpr std::size_t kMany = 70, kOften = 3;
   const auto ask = [&](std::size_t i) {
-    Recipe recipe = compositeRecipe(false);
+    Recipe recipe = compositeRecipe(false, false);
     recipe.desc.name += " " + std::to_string(i);
     const auto made = library.get(recipe);
     ASSERT_TRUE(made) << made.error().message;

@@ -34,6 +34,8 @@ struct FrameRequest {
   std::string debugView;             ///< "" = the picture
   std::vector<std::string> views{};  ///< debug views to be handed out beside the picture (see ViewReadback)
   bool reset = false;                ///< a cut: what was kept from earlier frames is worthless
+  float adaptSeconds = -1;  ///< what automatic exposure has had since the last frame; below 0: it settles at once
+  bool meter = false;       ///< measure the picture, also where its exposure is not asked for: Session::metered()
 };
 
 class Session {
@@ -65,6 +67,17 @@ class Session {
   /// Times of the newest frame known to be finished, in the order the passes ran; empty before the first.
   const std::vector<render::PassTime>& lastPassTimes() const { return lastTimes_; }
   std::uint64_t finishedFrames() const { return finished_; }  ///< frames whose times were taken
+
+  /// What the newest finished frame that was measured came to: those of automatic exposure, and those asked to.
+  const std::optional<render::Metered>& metered() const { return metered_; }
+  /// Where a picture's exposure comes from: the picture, the level's hint, or neither.
+  enum class ExposureSource { kAutomatic, kLevel, kFixed };
+  ExposureSource exposureSource() const;
+  /// The linear factor on radiance before the tone map, view.exposure included; of automatic exposure the one of the
+  /// newest measured frame.
+  float exposureFactor() const;
+  /// Automatic exposure is still on its way: another frame with its adaptSeconds brings it on.
+  bool exposureMoving() const;
 
   /// What changed parameters need is built beside the frames (host::PluginEffect, render::FrameBuilder), which go on
   /// with the values before. Off from the start, so that a frame is always of the table's values.
@@ -99,7 +112,8 @@ class Session {
   struct Slot {
     gpu::Timestamps timestamps;
     std::vector<render::PassTime> passes;
-    bool waiting = false;  ///< submitted, times not taken yet
+    bool waiting = false;                  ///< submitted, times not taken yet
+    std::optional<std::uint32_t> metered;  ///< of the frame's FrameOutput
   };
   Session() = default;
   void takeTimes(Slot& slot);
@@ -118,6 +132,7 @@ class Session {
   std::array<Slot, 2> slots_;  ///< as many as the device has frames in flight
   std::optional<Level> level_;
   std::vector<render::PassTime> lastTimes_;
+  std::optional<render::Metered> metered_;
   render::GraphStatistics statistics_;
   std::vector<render::TransientUse> transients_;
   std::uint64_t finished_ = 0;

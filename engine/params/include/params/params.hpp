@@ -56,7 +56,9 @@ class Table {
   const Parameter* find(std::string_view id) const;
   double value(std::string_view id) const;  ///< asserts that the id exists
   bool changed(std::string_view id) const;  ///< differs from the default
+  bool isAssigned(std::string_view id) const;  ///< was set explicitly, be it to its default; asserts that the id exists
   Result<void> set(std::string_view id, double value);
+  void reset(std::string_view id);  ///< to the default, as if it had never been set; asserts that the id exists
   /// "id=value" or separate id and text; an unknown id is answered with the nearest valid name.
   Result<void> setText(std::string_view id, std::string_view text);
   Result<void> setAssignment(std::string_view assignment);
@@ -86,7 +88,8 @@ class Table {
   std::map<std::string, Remembered, std::less<>> remembered_;
 };
 
-/// The engine's own: shadows.mode, shadows.resolution, shadows.precision, shadows.reuse, view.exposure.
+/// The engine's own: shadows.mode, shadows.resolution, shadows.precision, shadows.reuse, view.exposure,
+/// view.auto_exposure.
 std::vector<Parameter> engineParameters();
 
 }  // namespace tyndall::params

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -101,7 +102,11 @@ class Effect {
 enum class ShadowMode { kPcf, kMoments };
 
 struct FrameSettings {
-  float exposure = 1;  ///< linear factor before the tone map
+  float exposure = 1;         ///< linear factor before the tone map
+  bool autoExposure = false;  ///< times a factor that suits the picture, which is measured in the frame itself
+  bool meter = false;         ///< measure the picture, also where its exposure is not asked for (FrameOutput::metered)
+  float adaptSeconds = -1;  ///< how long the measured factor has had since the last frame; below 0: it settles at once
+  float shownExposure = 1;  ///< factor of debug views that show radiance "times exposure"
   std::uint32_t shadowResolution = 2048;
   bool reuseShadows =
       false;  ///< maps outlive the frame and are drawn again only when their light or a caster has changed
@@ -112,11 +117,21 @@ struct FrameSettings {
       offered;  ///< debug views whose images are handed out beside the picture (FrameOutput::views)
 };
 
+/// What a frame's picture was measured to be, while its scatter and depth were at hand.
+struct Metered {
+  float factor = 1;         ///< that automatic exposure uses
+  float target = 1;         ///< that this picture asks for
+  float surfaces = 0;       ///< part of the pixels that shows a surface
+  float transmittance = 1;  ///< of the air in front of these, their mean
+  float distance = 0;       ///< of these along the rays, their median, metres
+};
+
 struct FrameOutput {
-  ImageRef picture;  ///< RGBA8 unorm, sRGB-coded
-  ImageRef scatter;  ///< RGBA32F, empty when the effect had nothing to do
-  ImageRef depth;    ///< D32, reversed
-  ImageRef color;    ///< RGBA32F radiance of surfaces and sky, before medium, exposure and tone map
+  ImageRef picture;                      ///< RGBA8 unorm, sRGB-coded
+  ImageRef scatter;                      ///< RGBA32F, empty when the effect had nothing to do
+  ImageRef depth;                        ///< D32, reversed
+  ImageRef color;                        ///< RGBA32F radiance of surfaces and sky, before medium, exposure and tone map
+  std::optional<std::uint32_t> metered;  ///< for Renderer::metered(), once the frame is done
   /// Of FrameSettings::offered, in its order; no image where this frame has none. Passes that only they need run if a
   /// later pass reads them.
   std::vector<Effect::DebugImage> views;
@@ -156,6 +171,10 @@ class Renderer {
 
   /// Adds a pass that writes the distance along each pixel's ray (metres, R32F) from the depth.
   ImageRef addDistance(Graph& graph, const View& view, ImageRef depth);
+
+  /// What was measured by the frame whose FrameOutput::metered this is. The frame is done, and none of the three after
+  /// it has been declared.
+  Metered metered(std::uint32_t slot) const;
 
   /// Recompiles changed shaders; a broken one keeps its last good pipeline. Returns one line per shader changed or
   /// broken.

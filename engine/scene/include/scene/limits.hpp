@@ -24,5 +24,7 @@ inline constexpr std::size_t kMaxNodes = 1u << 20;
 inline constexpr std::size_t kMaxAnimationValues = 1u << 24;
 /// Longest side of the level's bounding box and farthest coordinate, metres; beyond it float depth is meaningless.
 inline constexpr float kMaxExtent = 1e9f;
+/// Linear factors on radiance that a level may ask for.
+inline constexpr double kMinExposure = 1e-12, kMaxExposure = 1e12;
 
 }  // namespace tyndall::scene

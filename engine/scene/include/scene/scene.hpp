@@ -175,6 +175,8 @@ struct Animation {
 
 struct Scene {
   std::string name;
+  /// The level's hint: linear factor on radiance before the tone map (extras, docs/conventions.md, "Exposure").
+  std::optional<float> exposure;
   std::vector<Node> nodes;  ///< parents before children; only nodes of the default scene
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
