@@ -45,6 +45,7 @@ AccessorReader::AccessorReader(const document::Document& document, int accessor,
     : document_(document), accessor_(document.accessors[accessor]), what_(std::move(what)) {
   if (accessor_.width == 0) refuse(what_ + " is a matrix");
   size_ = componentSize(accessor_.componentType) * accessor_.width;
+  if (accessor_.count == 0) refuse(what_ + " has no elements");
   if (accessor_.view != kNone) {
     base_ = span(accessor_.view, accessor_.byteOffset, accessor_.count, size_, stride_);
   } else if (accessor_.count > kMaxZeroElements) {
@@ -98,6 +99,14 @@ const unsigned char* AccessorReader::elementAt(std::size_t i) const {
     if (found != sparseAt_.end() && *found == i) return sparseValues_ + (found - sparseAt_.begin()) * size_;
   }
   return base_ ? base_ + i * stride_ : kZeros;
+}
+
+bool AccessorReader::finite(std::size_t i) const {
+  if (accessor_.componentType != kFloat) return true;
+  const unsigned char* at = elementAt(i);
+  for (int c = 0; c < accessor_.width; ++c)
+    if (!std::isfinite(load<float>(at + c * sizeof(float)))) return false;
+  return true;
 }
 
 glm::vec4 AccessorReader::vector(std::size_t i, const glm::vec4& fallback, bool normalize) const {

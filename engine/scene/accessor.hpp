@@ -25,6 +25,8 @@ class AccessorReader {
   /// As floats: normalized integers by glTF 2.0 section 3.6.2.2 (or `normalize`, whatever the accessor says). Elements
   /// beyond the accessor's width stay as in `fallback`. Refuses what is not finite.
   glm::vec4 vector(std::size_t i, const glm::vec4& fallback = glm::vec4(0), bool normalize = false) const;
+  /// Whether vector(i) has only finite components.
+  bool finite(std::size_t i) const;
   /// Unsigned integers only (the caller has checked componentType).
   std::uint32_t index(std::size_t i) const { return unsignedAt(elementAt(i), accessor_.componentType); }
 

@@ -90,7 +90,12 @@ void importAnimations(const Document& document, std::span<const std::int32_t> sc
       AnimationChannel imported;
       imported.node = node;
       imported.target = *path;
-      readKeys(document, in.samplers[channel.sampler], what, imported, warnings);
+      try {
+        readKeys(document, in.samplers[channel.sampler], what, imported, warnings);
+      } catch (const Refusal& refusal) {
+        warnings.count("broken channels", refusal.reason, kEachLeftOut);
+        continue;
+      }
       if (imported.times.empty()) continue;
       out.duration = std::max(out.duration, imported.times.back());
       out.channels.push_back(std::move(imported));

@@ -15,12 +15,12 @@ namespace {
 
 using tinygltf::Value;
 
-/// What the callbacks work on. They are called from within a library, so they note a refusal instead of throwing it.
+/// What the callbacks work on. They are called from within a library and throw nothing.
 struct Supply {
   Prepared prepared;
   std::vector<Image> images;
   std::uint64_t pixelsLeft = kMaxTotalPixels;
-  std::string refusal;
+  Warnings& warnings;
 };
 
 /// The bytes behind "./buffer/N" or "./image/N" (the base folder is "."), or null.
@@ -55,8 +55,9 @@ bool decode(tinygltf::Image* image, const int index, std::string*, std::string*,
   auto decoded = decodeImage(std::as_bytes(std::span(bytes, static_cast<std::size_t>(size))),
                              std::min(kMaxImagePixels, supply.pixelsLeft));
   if (!decoded) {
-    supply.refusal = supply.prepared.imageNames[index] + " " + decoded.error().message;
-    return false;
+    supply.warnings.count(kImageKind, supply.prepared.imageNames[index] + " " + decoded.error().message,
+                          kImageConsequence);
+    return true;
   }
   supply.pixelsLeft -= std::uint64_t{decoded->width} * decoded->height;
   decoded->name = image->name;
@@ -277,8 +278,7 @@ void convert(std::vector<Out>& out, const std::vector<In>& in, Convert&& one) {
 }  // namespace
 
 document::Document parseGltf(Prepared prepared, Warnings& warnings) {
-  Supply supply;
-  supply.prepared = std::move(prepared);
+  Supply supply{std::move(prepared), {}, kMaxTotalPixels, warnings};
   tinygltf::TinyGLTF parser;
   parser.SetFsCallbacks({fileExists, samePath, readFile, writeFile, &supply});
   parser.SetImageLoader(decode, &supply);
@@ -287,7 +287,6 @@ document::Document parseGltf(Prepared prepared, Warnings& warnings) {
   const std::string& json = supply.prepared.json;
   const bool parsed =
       parser.LoadASCIIFromString(&model, &error, &warning, json.data(), static_cast<unsigned>(json.size()), ".");
-  if (!supply.refusal.empty()) refuse(supply.refusal);
   if (!parsed) refuse("tinygltf: " + oneLine(error.empty() ? "refused without a reason" : error));
   if (!warning.empty()) warnings.add("tinygltf: " + oneLine(warning));
 

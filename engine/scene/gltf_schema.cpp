@@ -38,8 +38,8 @@ Property factors(const char* key, std::size_t size, double high) { return smallV
 Property object(const char* key, const Schema& schema, bool required = false) {
   return {.key = key, .kind = Kind::kObject, .required = required, .object = &schema};
 }
-Property objects(const char* key, const Schema& schema, std::size_t most = std::numeric_limits<std::size_t>::max()) {
-  return {.key = key, .kind = Kind::kObjects, .maxItems = most, .object = &schema};
+Property objects(const char* key, const Schema& schema, const char* standIn) {
+  return {.key = key, .kind = Kind::kObjects, .object = &schema, .standIn = standIn};
 }
 
 Property freeObject(const char* key, const Schema& schema) {
@@ -51,9 +51,9 @@ const Schema kEmpty{};
 const Schema kLevelHints{{{.key = "exposure", .kind = Kind::kAny}}};
 const Schema kLevelExtras{{freeObject("tyndall", kLevelHints)}};
 const Schema kAsset{{text("version", nullptr, true), text("minVersion"), freeObject("extras", kLevelExtras)}};
-const Schema kBuffer{{text("uri"), integer("byteLength", 1, kMaxInt, true)}};
+const Schema kBuffer{{text("uri"), integer("byteLength", 0, kMaxInt, true)}};
 const Schema kBufferView{{index("buffer", "buffers", true), integer("byteOffset", 0, kMaxInt),
-                          integer("byteLength", 1, kMaxInt, true), integer("byteStride", 4, 252)}};
+                          integer("byteLength", 0, kMaxInt, true), integer("byteStride", 4, 252)}};
 
 const Schema kSparseIndices{{index("bufferView", "bufferViews", true), integer("byteOffset", 0, kMaxInt),
                              integer("componentType", 0, kMaxInt, true, "5121|5123|5125")}};
@@ -62,15 +62,15 @@ const Schema kSparse{{integer("count", 1, kMaxInt, true), object("indices", kSpa
                       object("values", kSparseValues, true)}};
 const Schema kAccessor{{index("bufferView", "bufferViews"), integer("byteOffset", 0, kMaxInt),
                         integer("componentType", 0, kMaxInt, true, kComponentTypes), flag("normalized"),
-                        integer("count", 1, kMaxInt, true), text("type", "SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4", true),
+                        integer("count", 0, kMaxInt, true), text("type", "SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4", true),
                         object("sparse", kSparse)}};
 
 const Schema kPrimitive{{{.key = "attributes", .kind = Kind::kAttributes, .required = true, .array = "accessors"},
                          index("indices", "accessors"),
                          index("material", "materials"),
                          integer("mode", 0, 6),
-                         objects("targets", kEmpty)}};
-const Schema kMesh{{text("name"), objects("primitives", kPrimitive)}};
+                         objects("targets", kEmpty, "")}};
+const Schema kMesh{{text("name"), objects("primitives", kPrimitive, "")}};
 
 const Schema kTransform{{smallVector("offset", 2, -kMaxTransform, kMaxTransform),
                          factor("rotation", -kMaxTransform, kMaxTransform),
@@ -128,31 +128,32 @@ const Schema kLightExtras{{object("cookie", kCookie)}};
 const Schema kLight{{text("name"), text("type", "directional|point|spot", true), factors("color", 3, kMaxColor),
                      factor("intensity", 0, kMaxIntensity), factor("range", 0, kMaxExtent), object("spot", kSpot),
                      freeObject("extras", kLightExtras)}};
-const Schema kLights{{objects("lights", kLight)}};
+const Schema kLights{{objects("lights", kLight, R"({"type": "point", "intensity": 0})")}};
 const Schema kDocumentExtensions{{object("KHR_lights_punctual", kLights)}};
 
 const Schema kTarget{{index("node", "nodes"), text("path", nullptr, true)}};
 const Schema kChannel{{integer("sampler", 0, kMaxInt, true), object("target", kTarget, true)}};
 const Schema kAnimationSampler{{index("input", "accessors", true), index("output", "accessors", true),
                                 text("interpolation", "STEP|LINEAR|CUBICSPLINE")}};
-const Schema kAnimation{{text("name"), objects("channels", kChannel), objects("samplers", kAnimationSampler)}};
+const Schema kAnimation{
+    {text("name"), objects("channels", kChannel, ""), objects("samplers", kAnimationSampler, nullptr)}};
 
 const Schema kDocument{{object("asset", kAsset, true),
                         {.key = "extensionsUsed", .kind = Kind::kStrings},
                         {.key = "extensionsRequired", .kind = Kind::kStrings},
-                        objects("buffers", kBuffer),
-                        objects("bufferViews", kBufferView),
-                        objects("accessors", kAccessor),
-                        objects("meshes", kMesh),
-                        objects("materials", kMaterial),
-                        objects("textures", kTexture),
-                        objects("images", kImage),
-                        objects("samplers", kSampler),
-                        objects("nodes", kNode, kMaxNodes),
-                        objects("scenes", kScene),
+                        objects("buffers", kBuffer, R"({"byteLength": 0})"),
+                        objects("bufferViews", kBufferView, R"({"buffer": 0, "byteLength": 0})"),
+                        objects("accessors", kAccessor, R"({"componentType": 5126, "count": 0, "type": "SCALAR"})"),
+                        objects("meshes", kMesh, R"({"primitives": []})"),
+                        objects("materials", kMaterial, "{}"),
+                        objects("textures", kTexture, "{}"),
+                        objects("images", kImage, "{}"),
+                        objects("samplers", kSampler, "{}"),
+                        objects("nodes", kNode, "{}"),
+                        objects("scenes", kScene, "{}"),
                         index("scene", "scenes"),
-                        objects("cameras", kCamera),
-                        objects("animations", kAnimation),
+                        objects("cameras", kCamera, R"({"type": "broken"})"),
+                        objects("animations", kAnimation, "{}"),
                         object("extensions", kDocumentExtensions),
                         freeObject("extras", kLevelExtras)}};
 

@@ -35,7 +35,17 @@ void Warnings::add(std::string line) {
   if (seen_.insert(line).second) lines_.push_back(std::move(line));
 }
 
+void Warnings::count(const std::string& kind, const std::string& one, const std::string& consequence) {
+  if (firstCounted_.empty()) firstCounted_ = one;
+  for (Counted& counted : counted_)
+    if (counted.kind == kind && counted.consequence == consequence) return void(++counted.number);
+  counted_.push_back({kind, one, consequence, 1});
+}
+
 std::vector<std::string> Warnings::take() {
+  for (const Counted& counted : counted_)
+    lines_.push_back(counted.kind + ": " + std::to_string(counted.number) +
+                     (counted.number == 1 ? ", " : ", the first ") + counted.first + "; " + counted.consequence);
   if (dropped_) lines_.push_back("and " + std::to_string(dropped_) + " more warnings");
   return std::move(lines_);
 }

@@ -24,14 +24,30 @@ inline std::string element(std::string_view array, std::size_t index) {
   return std::string(array) + "[" + std::to_string(index) + "]";
 }
 
+/// What becomes of things that are counted as broken (Warnings::count).
+inline constexpr const char* kEachLeftOut = "each is left out";
+inline constexpr const char* kImageKind = "textures without a usable image";
+inline constexpr const char* kImageConsequence = "each is left out, and its material keeps its plain colour";
+
 /// Each different warning once; what exceeds kMost is counted only.
 class Warnings {
  public:
   void add(std::string line);
+  /// One more of a kind, of which take() makes one line with their number and the first one:
+  /// "textures without a usable image: 3, the first images[0] \"a.png\": cannot be opened; they are left out".
+  void count(const std::string& kind, const std::string& one, const std::string& consequence);
+  /// What was counted first of all, or nothing.
+  const std::string& firstCounted() const { return firstCounted_; }
   std::vector<std::string> take();
 
  private:
   static constexpr std::size_t kMost = 50;
+  struct Counted {
+    std::string kind, first, consequence;
+    std::size_t number = 0;
+  };
+  std::vector<Counted> counted_;  ///< in the order of the first of each kind
+  std::string firstCounted_;
   std::set<std::string> seen_;
   std::vector<std::string> lines_;
   std::size_t dropped_ = 0;

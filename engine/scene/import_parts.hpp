@@ -16,7 +16,7 @@ void importMaterials(document::Document& document, Scene& scene, Warnings& warni
 /// Nodes of the default scene (or the first one, or all roots), parents first, and the cameras and lights on them.
 /// Node::mesh still counts as in the document. Returns the node's index in `scene` for each of the document's, or
 /// kNone.
-std::vector<std::int32_t> importNodes(const document::Document& document, Scene& scene, Warnings& warnings);
+std::vector<std::int32_t> importNodes(document::Document& document, Scene& scene, Warnings& warnings);
 
 /// The meshes that `scene`'s nodes show; renumbers Node::mesh.
 void importMeshes(const document::Document& document, Scene& scene, Warnings& warnings);

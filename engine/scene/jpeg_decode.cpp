@@ -66,9 +66,22 @@ bool readHeader(Decoder* d, const unsigned char* data, unsigned long size) {
   return true;
 }
 
+bool hasInks(const Decoder& d) { return d.state.jpeg_color_space == JCS_CMYK || d.state.jpeg_color_space == JCS_YCCK; }
+
+/// Cyan, magenta, yellow and black to red, green, blue and opaque, in place: each ink takes its share of what black has
+/// left. Adobe's files, which say so by a marker, store how much of each ink is missing.
+void colorsOfInks(std::vector<std::uint8_t>& texels, bool inverted) {
+  for (std::size_t i = 0; i < texels.size(); i += 4) {
+    for (std::size_t c = i; !inverted && c < i + 4; ++c) texels[c] = static_cast<std::uint8_t>(255 - texels[c]);
+    for (std::size_t c = i; c < i + 3; ++c)
+      texels[c] = static_cast<std::uint8_t>((texels[c] * texels[i + 3] + 127) / 255);
+    texels[i + 3] = 255;
+  }
+}
+
 bool readRows(Decoder* d, unsigned char* rgba) {
   if (setjmp(d->errors.jump)) return false;
-  d->state.out_color_space = JCS_EXT_RGBA;  // libjpeg-turbo; alpha 255
+  d->state.out_color_space = hasInks(*d) ? JCS_CMYK : JCS_EXT_RGBA;  // libjpeg-turbo; alpha 255
   jpeg_start_decompress(&d->state);
   while (d->state.output_scanline < d->state.output_height) {
     JSAMPROW row = rgba + 4ull * d->state.output_width * d->state.output_scanline;
@@ -90,6 +103,7 @@ Result<Image> decodeJpeg(std::span<const std::byte> bytes, std::uint64_t maxPixe
   if (auto size = checkImageSize(image.width, image.height, maxPixels); !size) return size.error();
   image.rgba.resize(4ull * image.width * image.height);
   if (!readRows(&decoder, image.rgba.data())) return damaged();
+  if (hasInks(decoder)) colorsOfInks(image.rgba, decoder.state.saw_Adobe_marker);
   return image;
 }
 

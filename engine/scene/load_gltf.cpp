@@ -10,26 +10,44 @@
 namespace tyndall::scene {
 namespace {
 
-/// Sound transforms can still multiply to something that no renderer can use.
-void checkExtent(const Scene& scene) {
+bool within(const glm::vec3& v) {
+  return glm::all(glm::lessThanEqual(glm::abs(v), glm::vec3(kMaxExtent)));  // false for NaN as well
+}
+
+/// Sound transforms can still multiply to something that no renderer can use: such nodes lose what stands on them.
+void dropBeyondExtent(Scene& scene, Warnings& warnings) {
   const auto matrices = worldMatrices(scene, 0);
-  const glm::vec3 limit(kMaxExtent);
-  for (std::size_t i = 0; i < matrices.size(); ++i)
-    for (int column = 0; column < 4; ++column)
-      if (!glm::all(glm::lessThanEqual(glm::abs(glm::vec3(matrices[i][column])), limit)))  // false for NaN as well
-        refuse(element("nodes", scene.nodes[i].order) + " is moved or scaled beyond " +
-               std::to_string(static_cast<long>(kMaxExtent)) + " m");
-  const Bounds bounds = worldBounds(scene, matrices);
-  if (bounds.empty()) return;
-  if (!glm::all(glm::lessThanEqual(glm::abs(bounds.min), limit)) ||
-      !glm::all(glm::lessThanEqual(glm::abs(bounds.max), limit)))
-    refuse("it reaches farther than " + std::to_string(static_cast<long>(kMaxExtent)) + " m from the origin");
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    Node& node = scene.nodes[i];
+    bool good = true;
+    for (int column = 0; column < 4; ++column) good = good && within(glm::vec3(matrices[i][column]));
+    if (good && node.mesh != kNone)
+      for (const Primitive& p : scene.meshes[node.mesh].primitives)
+        for (int corner = 0; corner < 8; ++corner) {
+          const glm::vec3 c(corner & 1 ? p.bounds.max.x : p.bounds.min.x, corner & 2 ? p.bounds.max.y : p.bounds.min.y,
+                            corner & 4 ? p.bounds.max.z : p.bounds.min.z);
+          good = good && within(glm::vec3(matrices[i] * glm::vec4(c, 1)));
+        }
+    if (good || (node.mesh == kNone && node.camera == kNone && node.light == kNone)) continue;
+    warnings.count(
+        "nodes that are moved or scaled too far",
+        element("nodes", node.order) + " reaches beyond " + std::to_string(static_cast<long>(kMaxExtent)) + " m",
+        "what stands on each is left out");
+    node.mesh = node.camera = node.light = kNone;
+  }
+}
+
+bool hasTriangles(const Scene& scene) {
+  for (const Node& node : scene.nodes)
+    if (node.mesh != kNone && !scene.meshes[node.mesh].primitives.empty()) return true;
+  return false;
 }
 
 Import import(const std::filesystem::path& path, std::vector<std::byte> file) {
   Warnings warnings;
   Prepared prepared = prepare(openContainer(file, warnings), path, file.size(), warnings);
   file = {};  // everything needed has been copied out
+  const bool hasMeshes = prepared.hasMeshes;
   document::Document document = parseGltf(std::move(prepared), warnings);
   Import out;
   out.scene.exposure = document.exposure;
@@ -37,7 +55,9 @@ Import import(const std::filesystem::path& path, std::vector<std::byte> file) {
   const std::vector<std::int32_t> sceneNode = importNodes(document, out.scene, warnings);
   importMeshes(document, out.scene, warnings);
   importAnimations(document, sceneNode, out.scene, warnings);
-  checkExtent(out.scene);
+  dropBeyondExtent(out.scene, warnings);
+  // One bad part does not lose the rest; a level of which nothing is left is lost.
+  if (hasMeshes && !hasTriangles(out.scene) && !warnings.firstCounted().empty()) refuse(warnings.firstCounted());
   // What is left is a promise of ours; a file that finds a gap in the checks above is refused all the same.
   if (auto sound = checkScene(out.scene); !sound) refuse("is inconsistent: " + oneLine(sound.error().message));
   out.warnings = warnings.take();

@@ -21,6 +21,10 @@ struct Importer {
       use = {};
       return;
     }
+    if (imageOf[in.source] == kNone && document.images[in.source].rgba.empty()) {
+      use = {};  // counted where its image was read
+      return;
+    }
     std::int32_t& texture = textureOf[use.texture];
     if (texture == kNone) {
       std::int32_t& image = imageOf[in.source];
@@ -46,8 +50,12 @@ struct Importer {
     const Image& image = scene.images[scene.textures[shown.texture].image];
     if (light.kind != LightKind::kPoint || pointCookieShape(image)) return;
     if (!light.name.empty()) what += " " + inQuotes(light.name);
-    refuse(what + " is a point light whose cookie is " + std::to_string(image.width) + "x" +
-           std::to_string(image.height) + "; it must be 2:1 (equirectangular) or 6:1 (six cube faces in a row)");
+    warnings.count("cookies of another shape",
+                   what + " is a point light whose cookie is " + std::to_string(image.width) + "x" +
+                       std::to_string(image.height) +
+                       "; it must be 2:1 (equirectangular) or 6:1 (six cube faces in a row)",
+                   kEachLeftOut);
+    light.cookie.reset();
   }
 };
 

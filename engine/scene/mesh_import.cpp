@@ -26,13 +26,36 @@ std::vector<std::uint32_t> readIndices(const Document& document, const document:
   if (reader.width() != 1 || (type != 5121 && type != 5123 && type != 5125))
     refuse(what + ".indices are not unsigned integers");
   out.resize(reader.count());
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i] = reader.index(i);
-    if (out[i] >= vertices)
-      refuse(what + "." + element("indices", i) + " is " + std::to_string(out[i]) + "; there are " +
-             std::to_string(vertices) + " vertices");
-  }
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = reader.index(i);
   return out;
+}
+
+/// Leaves out the triangles that have no place: an index beyond the vertices, or a position that is not finite.
+void dropUnplaced(std::vector<std::uint32_t>& indices, const AccessorReader& positions, const std::string& what,
+                  Warnings& warnings) {
+  std::string first;
+  const auto placed = [&](std::size_t i) {
+    const std::uint32_t vertex = indices[i];
+    if (vertex >= positions.count()) {
+      if (first.empty())
+        first = what + "." + element("indices", i) + " is " + std::to_string(vertex) + "; there are " +
+                std::to_string(positions.count()) + " vertices";
+      return false;
+    }
+    if (positions.finite(vertex)) return true;
+    if (first.empty()) first = what + ".POSITION: element " + std::to_string(vertex) + " is not finite";
+    return false;
+  };
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    if (placed(i) && placed(i + 1) && placed(i + 2)) {
+      for (std::size_t c = 0; c < 3; ++c) indices[kept + c] = indices[i + c];
+      kept += 3;
+    } else {
+      warnings.count("triangles without a place", first, kEachLeftOut);
+    }
+  }
+  indices.resize(kept);
 }
 
 /// A triangle list of the same triangles, glTF 2.0 section 3.7.2.1.
@@ -94,9 +117,10 @@ int uvSet(const document::Material& material, const std::string& what, Warnings&
   return set;
 }
 
-/// One attribute if present, checked for its width and count.
-std::optional<AccessorReader> open(const Document& document, const document::Primitive& in, const std::string& semantic,
-                                   int low, int high, std::size_t count, const std::string& what) {
+/// One attribute if present, checked for its width and count; refuses a broken one.
+std::optional<AccessorReader> opened(const Document& document, const document::Primitive& in,
+                                     const std::string& semantic, int low, int high, std::size_t count,
+                                     const std::string& what) {
   const auto found = in.attributes.find(semantic);
   if (found == in.attributes.end()) return {};
   std::optional<AccessorReader> reader(std::in_place, document, found->second, what + "." + semantic);
@@ -107,6 +131,25 @@ std::optional<AccessorReader> open(const Document& document, const document::Pri
     refuse(what + "." + semantic + " has " + std::to_string(reader->count()) + " elements; POSITION has " +
            std::to_string(count));
   return reader;
+}
+
+/// The same for what a mesh can do without: a broken attribute is as if it were not there.
+std::optional<AccessorReader> open(const Document& document, const document::Primitive& in, const std::string& semantic,
+                                   int low, int high, std::size_t count, const std::string& what, Warnings& warnings) {
+  try {
+    return opened(document, in, semantic, low, high, count, what);
+  } catch (const Refusal& refusal) {
+    warnings.count("broken attributes", refusal.reason, kEachLeftOut);
+    return {};
+  }
+}
+
+/// An element of an attribute that a mesh can do without; `fallback` for one that is not finite, which is counted.
+glm::vec4 sane(const AccessorReader& reader, std::uint32_t i, const glm::vec4& fallback, bool normalize,
+               const std::string& what, Warnings& warnings) {
+  if (reader.finite(i)) return reader.vector(i, fallback, normalize);
+  warnings.count("vertices that are not finite", what + ": element " + std::to_string(i), "each is repaired");
+  return fallback;
 }
 
 glm::vec3 unitOrZero(const glm::vec3& v) {
@@ -125,24 +168,25 @@ std::optional<Primitive> importPrimitive(const Document& document, const documen
     return {};
   }
   if (in.morphed) warnings.add("morph targets are not supported; meshes keep their rest shape");
-  const auto positions = open(document, in, "POSITION", 3, 3, 0, what);
+  const auto positions = opened(document, in, "POSITION", 3, 3, 0, what);
   if (!positions || positions->allZero()) {
     warnings.add(what + " has no positions and was left out");
     return {};
   }
   const std::size_t count = positions->count();
-  const auto normals = open(document, in, "NORMAL", 3, 3, count, what);
-  const auto tangents = normals ? open(document, in, "TANGENT", 4, 4, count, what) : std::nullopt;
-  const auto colors = open(document, in, "COLOR_0", 3, 4, count, what);
+  const auto normals = open(document, in, "NORMAL", 3, 3, count, what, warnings);
+  const auto tangents = normals ? open(document, in, "TANGENT", 4, 4, count, what, warnings) : std::nullopt;
+  const auto colors = open(document, in, "COLOR_0", 3, 4, count, what, warnings);
   int set = in.material == kNone ? kNone
                                  : uvSet(document.materials[in.material], element("materials", in.material), warnings);
-  const auto uvs = open(document, in, "TEXCOORD_" + std::to_string(std::max(set, 0)), 2, 2, count, what);
+  const auto uvs = open(document, in, "TEXCOORD_" + std::to_string(std::max(set, 0)), 2, 2, count, what, warnings);
   if (set != kNone && !uvs)
     warnings.add(what + " has no TEXCOORD_" + std::to_string(set) + ", which its material reads; it gets 0, 0");
 
   Primitive out;
   out.material = in.material;
   out.indices = triangulated(readIndices(document, in, count, what), in.mode, what, warnings);
+  dropUnplaced(out.indices, *positions, what, warnings);
   if (out.indices.empty()) {
     warnings.add(what + " has no triangle and was left out");
     return {};
@@ -160,9 +204,12 @@ std::optional<Primitive> importPrimitive(const Document& document, const documen
     Vertex& v = out.vertices[i];
     const std::uint32_t s = source[i];
     v.position = positions->vector(s);
-    v.normal = normals ? unitOrZero(normals->vector(s)) : glm::vec3(0);
-    if (uvs) v.uv = uvs->vector(s);
-    if (colors) v.color = colors->vector(s, glm::vec4(1), colors->componentType() != 5126);
+    if (normals)
+      v.normal = unitOrZero(sane(*normals, s, glm::vec4(0), false, what + ".NORMAL", warnings));
+    else
+      v.normal = glm::vec3(0);
+    if (uvs) v.uv = sane(*uvs, s, glm::vec4(0), false, what + ".TEXCOORD", warnings);
+    if (colors) v.color = sane(*colors, s, glm::vec4(1), colors->componentType() != 5126, what + ".COLOR_0", warnings);
     const glm::vec4 color = glm::clamp(v.color, 0.0f, 1.0f);
     clamped = clamped || color != v.color;
     v.color = color;
@@ -174,7 +221,7 @@ std::optional<Primitive> importPrimitive(const Document& document, const documen
     warnings.add(what + " has " + std::to_string(repaired) + " zero normals; they were made from its triangles");
   computeTangents(out);
   for (std::size_t i = 0; tangents && i < source.size(); ++i) {
-    const glm::vec4 t = tangents->vector(source[i]);
+    const glm::vec4 t = sane(*tangents, source[i], glm::vec4(0), false, what + ".TANGENT", warnings);
     const glm::vec3 direction = unitOrZero(glm::vec3(t));
     if (direction != glm::vec3(0)) out.vertices[i].tangent = glm::vec4(direction, t.w < 0 ? -1.0f : 1.0f);
   }
@@ -211,9 +258,13 @@ void importMeshes(const Document& document, Scene& scene, Warnings& warnings) {
   for (const int m : order) {
     Mesh mesh{document.meshes[m].name, {}};
     for (std::size_t p = 0; p < document.meshes[m].primitives.size(); ++p) {
-      auto primitive = importPrimitive(document, document.meshes[m].primitives[p],
-                                       element("meshes", m) + "." + element("primitives", p), warnings);
-      if (primitive) mesh.primitives.push_back(std::move(*primitive));
+      try {
+        auto primitive = importPrimitive(document, document.meshes[m].primitives[p],
+                                         element("meshes", m) + "." + element("primitives", p), warnings);
+        if (primitive) mesh.primitives.push_back(std::move(*primitive));
+      } catch (const Refusal& refusal) {
+        warnings.count("broken parts of meshes", refusal.reason, kEachLeftOut);
+      }
     }
     scene.meshes.push_back(std::move(mesh));
   }

@@ -9,20 +9,32 @@ namespace {
 using document::Document;
 
 /// Parent of each node, from the lists of children.
-std::vector<std::int32_t> parents(const Document& document) {
+constexpr const char* kTree = "nodes that stand in two places of the tree";
+constexpr const char* kTreeConsequence = "each stands where it is listed first";
+
+/// Parent of each node, from the lists of children: the first that lists it. The others' lists lose it.
+std::vector<std::int32_t> parents(Document& document, Warnings& warnings) {
   std::vector<std::int32_t> parentOf(document.nodes.size(), kNone);
   for (std::size_t i = 0; i < document.nodes.size(); ++i) {
+    std::vector<int> kept;
     for (const int child : document.nodes[i].children) {
-      if (parentOf[child] != kNone)
-        refuse(element("nodes", child) + " is listed as a child twice, by nodes " + std::to_string(parentOf[child]) +
-               " and " + std::to_string(i));
-      parentOf[child] = static_cast<std::int32_t>(i);
+      if (parentOf[child] == kNone) {
+        parentOf[child] = static_cast<std::int32_t>(i);
+        kept.push_back(child);
+      } else {
+        warnings.count(kTree,
+                       element("nodes", child) + " is listed as a child twice, by nodes " +
+                           std::to_string(parentOf[child]) + " and " + std::to_string(i),
+                       kTreeConsequence);
+      }
     }
+    document.nodes[i].children = std::move(kept);
   }
   return parentOf;
 }
 
-std::vector<int> roots(const Document& document, const std::vector<std::int32_t>& parentOf, Scene& scene) {
+std::vector<int> roots(const Document& document, const std::vector<std::int32_t>& parentOf, Scene& scene,
+                       Warnings& warnings) {
   std::vector<int> out;
   if (document.scenes.empty()) {
     for (std::size_t i = 0; i < parentOf.size(); ++i)
@@ -32,18 +44,31 @@ std::vector<int> roots(const Document& document, const std::vector<std::int32_t>
   const document::SceneRoots& chosen = document.scenes[document.defaultScene == kNone ? 0 : document.defaultScene];
   scene.name = chosen.name;
   // A root without a parent cannot be part of a cycle, and with one parent each, nothing below it can.
-  for (const int root : chosen.nodes)
+  std::vector<bool> listed(document.nodes.size(), false);
+  for (const int root : chosen.nodes) {
     if (parentOf[root] != kNone)
-      refuse("the scene lists " + element("nodes", root) + ", which is a child of " + element("nodes", parentOf[root]));
-  return chosen.nodes;
+      warnings.count(
+          kTree,
+          "the scene lists " + element("nodes", root) + ", which is a child of " + element("nodes", parentOf[root]),
+          "each stands below its parent");
+    else if (listed[root])
+      warnings.count(kTree, "the scene lists " + element("nodes", root) + " twice", kTreeConsequence);
+    else
+      out.push_back(root);
+    listed[root] = true;
+  }
+  return out;
 }
 
 void repairTransform(Node& n, const std::string& name, Warnings& warnings) {
   if (n.matrix) {
     glm::mat4& m = *n.matrix;
     const glm::vec4 last(m[0][3], m[1][3], m[2][3], m[3][3]);
-    if (glm::any(glm::greaterThan(glm::abs(last - glm::vec4(0, 0, 0, 1)), glm::vec4(1e-4f))))
-      refuse(name + ".matrix is not affine");
+    if (glm::any(glm::greaterThan(glm::abs(last - glm::vec4(0, 0, 0, 1)), glm::vec4(1e-4f)))) {
+      warnings.count("matrices that are not affine", name + ".matrix is not affine", "each node stays unmoved");
+      n.matrix.reset();
+      return;
+    }
     for (int column = 0; column < 4; ++column) m[column][3] = column == 3 ? 1.0f : 0.0f;
     return;
   }
@@ -110,17 +135,16 @@ struct Attachments {
 
 }  // namespace
 
-std::vector<std::int32_t> importNodes(const Document& document, Scene& scene, Warnings& warnings) {
-  const std::vector<std::int32_t> parentOf = parents(document);
+std::vector<std::int32_t> importNodes(Document& document, Scene& scene, Warnings& warnings) {
+  const std::vector<std::int32_t> parentOf = parents(document, warnings);
   std::vector<std::int32_t> sceneNode(document.nodes.size(), kNone);
   Attachments attachments{document, scene, warnings};
   // Depth first with a stack of our own: the file decides how deep the tree is.
-  std::vector<int> stack = roots(document, parentOf, scene);
+  std::vector<int> stack = roots(document, parentOf, scene, warnings);
   std::reverse(stack.begin(), stack.end());
   while (!stack.empty()) {
     const int i = stack.back();
     stack.pop_back();
-    if (sceneNode[i] != kNone) refuse("the scene lists " + element("nodes", i) + " twice");
     sceneNode[i] = static_cast<std::int32_t>(scene.nodes.size());
     const document::Node& in = document.nodes[i];
     Node n = in.node;

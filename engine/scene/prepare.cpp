@@ -5,6 +5,7 @@
 #include <set>
 
 #include "resources.hpp"
+#include "scene/limits.hpp"
 #include "schema.hpp"
 
 namespace tyndall::scene {
@@ -62,33 +63,89 @@ void checkExtensions(const Json& document, Warnings& warnings) {
   if (!ignored.empty()) warnings.add("extensions without effect here: " + oneLine(ignored));
 }
 
-void checkViews(const Json& document) {
+/// A view that does not fit its buffer becomes empty: whatever uses it is then told to need more than it has.
+void checkViews(Json& document, Warnings& warnings) {
   if (!document.contains("bufferViews")) return;
-  const Json& views = document["bufferViews"];
+  Json& views = document["bufferViews"];
+  if (!views.empty() && document.value("buffers", Json::array()).empty())
+    document["buffers"] = Json::array({{{"byteLength", 0}}});  // stand-ins of views point to the first
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::uint64_t end =
         views[i].value("byteOffset", std::uint64_t{0}) + views[i]["byteLength"].get<std::uint64_t>();
-    if (const int stride = views[i].value("byteStride", 0); stride % 4)
-      refuse(element("bufferViews", i) + ".byteStride is " + std::to_string(stride) + "; it must be a multiple of 4");
     const std::size_t buffer = views[i]["buffer"].get<std::size_t>();
     const std::uint64_t size = document["buffers"][buffer]["byteLength"].get<std::uint64_t>();
-    if (end > size)
-      refuse(element("bufferViews", i) + " ends at byte " + std::to_string(end) + "; " + element("buffers", buffer) +
-             " has " + std::to_string(size));
+    std::string wrong;
+    if (const int stride = views[i].value("byteStride", 0); stride % 4)
+      wrong = ".byteStride is " + std::to_string(stride) + "; it must be a multiple of 4";
+    else if (end > size)
+      wrong =
+          " ends at byte " + std::to_string(end) + "; " + element("buffers", buffer) + " has " + std::to_string(size);
+    if (wrong.empty()) continue;
+    warnings.count("broken bufferViews", element("bufferViews", i) + wrong, kEachLeftOut);
+    views[i] = {{"buffer", buffer}, {"byteLength", 0}};
+  }
+}
+
+/// Perspective cameras that lack what they need: nodes no longer show them.
+void dropBrokenCameras(Json& document, Warnings& warnings) {
+  if (!document.contains("cameras")) return;
+  std::set<std::size_t> broken;
+  for (std::size_t i = 0; i < document["cameras"].size(); ++i) {
+    Json& camera = document["cameras"][i];
+    if (camera["type"] == "perspective" && !camera.contains("perspective"))
+      warnings.count("broken cameras", element("cameras", i) + ".perspective is missing", kEachLeftOut);
+    if (camera["type"] == "broken" || (camera["type"] == "perspective" && !camera.contains("perspective"))) {
+      broken.insert(i);
+      camera["type"] = "orthographic";
+    }
+    if (camera["type"] == "orthographic")
+      camera["orthographic"] = {{"xmag", 1.0}, {"ymag", 1.0}, {"znear", 0.1}, {"zfar", 1.0}};
+  }
+  for (std::size_t i = 0; !broken.empty() && document.contains("nodes") && i < document["nodes"].size(); ++i) {
+    Json& node = document["nodes"][i];
+    if (node.contains("camera") && broken.contains(node["camera"].get<std::size_t>())) node.erase("camera");
+  }
+}
+
+/// Accessors without elements: legal where nobody reads them. Attributes and parts of meshes that do are left out.
+void dropEmptyAccessors(Json& document, Warnings& warnings) {
+  if (!document.contains("accessors")) return;
+  Json& accessors = document["accessors"];
+  std::set<std::size_t> empty;
+  for (std::size_t i = 0; i < accessors.size(); ++i) {
+    if (accessors[i]["count"] != 0) continue;
+    empty.insert(i);
+    accessors[i] = {{"componentType", 5126}, {"count", 1}, {"type", "SCALAR"}};  // tinygltf wants an element
+  }
+  if (empty.empty() || !document.contains("meshes")) return;
+  for (std::size_t m = 0; m < document["meshes"].size(); ++m) {
+    Json& mesh = document["meshes"][m];
+    if (!mesh.contains("primitives")) continue;
+    Json kept = Json::array();
+    for (Json& primitive : mesh["primitives"]) {
+      Json attributes = Json::object();
+      for (const auto& [semantic, index] : primitive["attributes"].items())
+        if (!empty.contains(index.get<std::size_t>())) attributes[semantic] = index;
+      const bool usable = attributes.contains("POSITION") == primitive["attributes"].contains("POSITION") &&
+                          !(primitive.contains("indices") && empty.contains(primitive["indices"].get<std::size_t>()));
+      if (usable && attributes.size() != primitive["attributes"].size())
+        warnings.count("attributes without elements", element("meshes", m) + " has an attribute without elements",
+                       kEachLeftOut);
+      primitive["attributes"] = std::move(attributes);
+      if (usable)
+        kept.push_back(std::move(primitive));
+      else
+        warnings.count("parts of meshes without elements", element("meshes", m) + " has a part without elements",
+                       kEachLeftOut);
+    }
+    mesh["primitives"] = std::move(kept);
   }
 }
 
 /// What tinygltf insists on or looks at without care.
 void adapt(Json& document, Warnings& warnings) {
-  if (document.contains("cameras")) {
-    for (std::size_t i = 0; i < document["cameras"].size(); ++i) {
-      Json& camera = document["cameras"][i];
-      if (camera["type"] == "orthographic")
-        camera["orthographic"] = {{"xmag", 1.0}, {"ymag", 1.0}, {"znear", 0.1}, {"zfar", 1.0}};
-      else if (!camera.contains("perspective"))
-        refuse(element("cameras", i) + ".perspective is missing");
-    }
-  }
+  dropBrokenCameras(document, warnings);
+  dropEmptyAccessors(document, warnings);
   const Json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
   if (document.contains(lights)) {
     for (Json& light : document[lights]) {
@@ -107,9 +164,11 @@ void adapt(Json& document, Warnings& warnings) {
     Json kept = Json::array();
     for (Json& channel : animation["channels"]) {
       if (channel["sampler"].get<std::size_t>() >= animation["samplers"].size())
-        refuse(element("animations", a) + " has a channel with sampler " + channel["sampler"].dump() + "; there are " +
-               std::to_string(animation["samplers"].size()));
-      if (channel["target"].contains("node"))
+        warnings.count("broken channels",
+                       element("animations", a) + " has a channel with sampler " + channel["sampler"].dump() +
+                           "; there are " + std::to_string(animation["samplers"].size()),
+                       kEachLeftOut);
+      else if (channel["target"].contains("node"))
         kept.push_back(std::move(channel));
       else
         warnings.add(element("animations", a) + " has channels without a node; they were left out");
@@ -117,6 +176,7 @@ void adapt(Json& document, Warnings& warnings) {
     animation["channels"] = std::move(kept);
   }
   for (std::size_t m = 0; document.contains("meshes") && m < document["meshes"].size(); ++m) {
+    if (!document["meshes"][m].contains("primitives")) document["meshes"][m]["primitives"] = Json::array();
     Json kept = Json::array();
     for (Json& primitive : document["meshes"][m]["primitives"]) {
       const bool unusable = primitive.contains("indices") &&
@@ -170,21 +230,27 @@ struct Fetcher {
       const std::string name = element("buffers", i);
       const auto announced = buffer["byteLength"].get<std::uint64_t>();
       std::vector<std::byte> bytes;
-      if (buffer.contains("uri")) {
-        bytes = resources.load(buffer["uri"].get_ref<const std::string&>(), name);
+      if (announced == 0) {
+        // Nothing can be read of it.
+      } else if (buffer.contains("uri")) {
+        try {
+          bytes = resources.load(buffer["uri"].get_ref<const std::string&>(), name);
+        } catch (const Refusal& refusal) {
+          warnings.count("buffers that cannot be read", refusal.reason, "what lies in them is left out");
+        }
       } else if (i == 0 && container.binary) {
         bytes.assign(container.binary->begin(), container.binary->end());
       } else {
         warnings.add(name + " has neither a URI nor a binary chunk");
-        buffer = {{"byteLength", 1}, {"uri", "buffer/" + std::to_string(i)}};
-        out.buffers.emplace_back();
-        continue;
       }
-      if (bytes.size() < announced)
-        refuse(name + " announces " + std::to_string(announced) + " bytes; " + std::to_string(bytes.size()) +
-               " are there");
-      bytes.resize(announced);
-      buffer = {{"byteLength", announced}, {"uri", "buffer/" + std::to_string(i)}};
+      if (!bytes.empty() && bytes.size() < announced)
+        warnings.count(
+            "buffers that are too short",
+            name + " announces " + std::to_string(announced) + " bytes; " + std::to_string(bytes.size()) + " are there",
+            "what lies beyond is left out");
+      bytes.resize(std::min<std::size_t>(bytes.size(), announced));
+      // tinygltf wants a byte.
+      buffer = {{"byteLength", std::max<std::size_t>(bytes.size(), 1)}, {"uri", "buffer/" + std::to_string(i)}};
       out.buffers.push_back(std::move(bytes));
     }
   }
@@ -200,16 +266,11 @@ struct Fetcher {
       if (image.contains("name")) name += " " + inQuotes(image["name"].get<std::string>());
       std::vector<std::byte> bytes;
       if (shown.contains(i)) {
-        if (image.contains("uri") == image.contains("bufferView"))
-          refuse(name + " needs either a URI or a buffer view");
-        if (image.contains("uri")) {
-          bytes = resources.load(image["uri"].get_ref<const std::string&>(), name);
-          const auto& uri = image["uri"].get_ref<const std::string&>();
-          if (!image.contains("name") && uri.size() < 200 && uri.find(':') == std::string::npos) image["name"] = uri;
-        } else {
-          bytes = slice(document["bufferViews"][image["bufferView"].get<std::size_t>()], out, name);
+        try {
+          bytes = imageBytes(image, document, out, name);
+        } catch (const Refusal& refusal) {
+          warnings.count(kImageKind, refusal.reason, kImageConsequence);
         }
-        if (bytes.empty()) refuse(name + " is empty");
       }
       Json reduced = {{"uri", "image/" + std::to_string(i)}};
       if (image.contains("name")) reduced["name"] = std::move(image["name"]);
@@ -217,6 +278,20 @@ struct Fetcher {
       out.images.push_back(std::move(bytes));
       out.imageNames.push_back(std::move(name));
     }
+  }
+
+  std::vector<std::byte> imageBytes(Json& image, const Json& document, const Prepared& out, const std::string& name) {
+    std::vector<std::byte> bytes;
+    if (image.contains("uri") == image.contains("bufferView")) refuse(name + " needs either a URI or a buffer view");
+    if (image.contains("uri")) {
+      bytes = resources.load(image["uri"].get_ref<const std::string&>(), name);
+      const auto& uri = image["uri"].get_ref<const std::string&>();
+      if (!image.contains("name") && uri.size() < 200 && uri.find(':') == std::string::npos) image["name"] = uri;
+    } else {
+      bytes = slice(document["bufferViews"][image["bufferView"].get<std::size_t>()], out, name);
+    }
+    if (bytes.size() < 2) refuse(name + " is empty");
+    return bytes;
   }
 
   static std::vector<std::byte> slice(const Json& view, const Prepared& out, const std::string& name) {
@@ -237,13 +312,17 @@ Prepared prepare(const Container& container, const std::filesystem::path& path, 
   Json document = checked(raw, gltfSchema(), raw, "", warnings);
   checkVersion(document);
   checkExtensions(document, warnings);
-  checkViews(document);
+  if (document.contains("nodes") && document["nodes"].size() > kMaxNodes)
+    refuse("nodes has " + std::to_string(document["nodes"].size()) + " elements; at most " + std::to_string(kMaxNodes) +
+           " are expected");
+  checkViews(document, warnings);
   adapt(document, warnings);
   Prepared out;
   Fetcher fetcher{container, Resources(path, fileSize), warnings};
   fetcher.buffers(document, out);
   fetcher.images(document, out);
   out.json = document.dump();
+  out.hasMeshes = raw.contains("meshes") && !raw["meshes"].empty();
   return out;
 }
 

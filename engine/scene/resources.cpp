@@ -112,17 +112,21 @@ std::vector<std::byte> Resources::load(const std::string& uri, const std::string
 std::vector<std::byte> Resources::loadFile(const std::string& uri, const std::string& what) {
   const std::string subject = what + " " + inQuotes(uri);
   if (hasScheme(uri)) refuse(subject + ": network and other addresses are not read; only files beside the level");
-  const std::string relative = percentDecoded(uri);
+  std::string relative = percentDecoded(uri);
+  std::replace(relative.begin(), relative.end(), '\\', '/');  // of exporters on Windows
   if (relative.find('\0') != std::string::npos) refuse(subject + ": not a file name");
   const fs::path asked(relative);
   if (asked.is_absolute()) refuse(subject + ": absolute paths are not read; only files beside the level");
-  for (const fs::path& part : asked)
-    if (part == "..") refuse(subject + ": leads outside the level's folder");
+  const auto inside = [&](const fs::path& path) {
+    return std::mismatch(folder_.begin(), folder_.end(), path.begin(), path.end()).first == folder_.end();
+  };
+  // By its letters first: ".." may lead out and in again, and nothing outside is looked at on the way.
+  const fs::path normal = (folder_ / asked).lexically_normal();
+  if (!inside(normal)) refuse(subject + ": leads outside the level's folder");
   std::error_code missing;
-  const fs::path resolved = fs::canonical(folder_ / asked, missing);
+  const fs::path resolved = fs::canonical(normal, missing);
   if (missing) refuse(subject + ": cannot be opened: " + missing.message());
-  const auto [mismatch, ignored] = std::mismatch(folder_.begin(), folder_.end(), resolved.begin(), resolved.end());
-  if (mismatch != folder_.end()) refuse(subject + ": is a link that leads outside the level's folder");
+  if (!inside(resolved)) refuse(subject + ": is a link that leads outside the level's folder");
   auto bytes = readFile(resolved, kMaxFileBytes - used_);
   if (!bytes) {
     // The error starts with the resolved path; the level's author knows the URI.

@@ -89,6 +89,39 @@ void checkItems(const Json& value, const Place& at) {
   refuse(at.path + " has " + std::to_string(value.size()) + " elements; " + wanted + " are expected");
 }
 
+constexpr const char* kBroken = "broken values";
+constexpr const char* kAbsent = "each is as if it were not there";
+
+/// Indices of a list that point nowhere are left out.
+Json checkedIndices(const Json& value, const Place& at) {
+  checkItems(value, at);
+  Json out = Json::array();
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    try {
+      out.push_back(checkedIndex(value[i], Place{at.property, at.document, element(at.path, i), at.warnings}));
+    } catch (const Refusal& refusal) {
+      at.warnings.count(kBroken, refusal.reason, kAbsent);
+    }
+  }
+  return out;
+}
+
+Json checkedObjects(const Json& value, const Place& at) {
+  checkItems(value, at);
+  Json out = Json::array();
+  out.get_ref<Json::array_t&>().reserve(value.size());
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    try {
+      out.push_back(checked(value[i], *at.property.object, at.document, element(at.path, i), at.warnings));
+    } catch (const Refusal& refusal) {
+      if (!at.property.standIn) throw;
+      at.warnings.count(std::string("broken ") + at.property.key, refusal.reason, kEachLeftOut);
+      if (*at.property.standIn) out.push_back(Json::parse(at.property.standIn));
+    }
+  }
+  return out;
+}
+
 template <class Check>
 Json checkedArray(const Json& value, const Place& at, Check&& check) {
   checkItems(value, at);
@@ -124,14 +157,11 @@ Json checkedValue(const Json& value, const Place& at) {
     case Kind::kInteger: return checkedInteger(value, at);
     case Kind::kIndex: return checkedIndex(value, at);
     case Kind::kNumbers: return checkedArray(value, at, checkedNumber);
-    case Kind::kIndices: return checkedArray(value, at, checkedIndex);
+    case Kind::kIndices: return checkedIndices(value, at);
     case Kind::kStrings: return checkedArray(value, at, checkedString);
     case Kind::kAttributes: return checkedAttributes(value, at);
     case Kind::kObject: return checked(value, *at.property.object, at.document, at.path, at.warnings);
-    case Kind::kObjects:
-      return checkedArray(value, at, [](const Json& v, const Place& p) {
-        return checked(v, *p.property.object, p.document, p.path, p.warnings);
-      });
+    case Kind::kObjects: return checkedObjects(value, at);
   }
   return {};
 }
@@ -146,10 +176,15 @@ Json checked(const Json& value, const Schema& schema, const Json& document, cons
     const std::string where = path.empty() ? property.key : path + "." + property.key;
     const auto found = value.find(property.key);
     if (found != value.end() && property.free && !found->is_object()) continue;
-    if (found != value.end()) {
+    if (found == value.end()) {
+      if (property.required) refuse(where + " is missing");
+      continue;
+    }
+    try {
       out[property.key] = checkedValue(*found, Place{property, document, where, warnings});
-    } else if (property.required) {
-      refuse(where + " is missing");
+    } catch (const Refusal& refusal) {
+      if (property.required) throw;
+      warnings.count(kBroken, refusal.reason, kAbsent);
     }
   }
   return out;

@@ -45,6 +45,9 @@ struct Property {
   const char* array = nullptr;     ///< kIndex, kIndices, kAttributes: the array of the document that is pointed into
   const char* choices = nullptr;   ///< kString, kInteger: allowed values, separated by '|'
   const Schema* object = nullptr;  ///< kObject, kObjects
+  /// kObjects: JSON of what stands for an element that is broken, so that the others keep their indices; "" leaves it
+  /// out; null: the whole array is broken with it.
+  const char* standIn = nullptr;
 };
 
 struct Schema {
@@ -52,8 +55,10 @@ struct Schema {
 };
 
 /// A copy of `value` with only the properties of `schema`, each of the right type and in range; integers written as
-/// floats become integers. Refuses with the path of the first offender, such as "nodes[3].mesh is 7; there are 5
-/// meshes". `document` is where indices point into; `path` names `value` and is empty for the document itself.
+/// floats become integers. What is broken is counted in `warnings` with its path, such as "nodes[3].mesh is 7; there
+/// are 5 meshes": an optional property is as if it were not there, an index in a list is left out, an element of an
+/// array becomes its stand-in. Refuses where a required property is broken that nothing can stand in for. `document` is
+/// where indices point into; `path` names `value` and is empty for the document itself.
 Json checked(const Json& value, const Schema& schema, const Json& document, const std::string& path,
              Warnings& warnings);
 

@@ -112,4 +112,17 @@ inline std::string refusal(const Result<Import>& result, const std::filesystem::
   return message.substr(std::min(message.size(), path.string().size() + 2));
 }
 
+/// What is said of a file: its refusal, else its warnings, one line each.
+inline std::string told(const Result<Import>& result, const std::filesystem::path& path) {
+  if (!result.ok()) return refusal(result, path);
+  std::string lines;
+  for (const std::string& warning : result->warnings) {
+    for (const char c : warning) EXPECT_GE(static_cast<unsigned char>(c), 0x20) << "control character in: " << warning;
+    lines += warning + "\n";
+  }
+  const auto sound = checkScene(result->scene);
+  EXPECT_TRUE(sound.ok()) << (sound.ok() ? "" : sound.error().message);
+  return lines;
+}
+
 }  // namespace tyndall::scene
