@@ -51,6 +51,8 @@ struct Node {
   scene::Node node;  ///< without parent; mesh, camera and light count as in the document
   std::vector<int> children;
   bool skinned = false;
+  bool visible = true;              ///< KHR_node_visibility: else nothing of its subtree is there
+  std::optional<bool> castsShadow;  ///< nothing: as its parent
 };
 
 struct SceneRoots {

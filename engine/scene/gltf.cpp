@@ -122,7 +122,28 @@ void specularGlossiness(const Value& s, document::Material& out) {
     transform(&info.Get("extensions").Get("KHR_texture_transform"), m.baseColorTexture, uvSet);
 }
 
-document::Material material(const tinygltf::Material& in) {
+/// "casts_shadow" of our extras of a node or a material; nothing where it is absent or no boolean, which is told.
+std::optional<bool> castsShadow(const Value& extras, Warnings& warnings) {
+  if (!extras.IsObject() || !extras.Has("tyndall") || !extras.Get("tyndall").IsObject()) return {};
+  const Value& ours = extras.Get("tyndall");
+  if (!ours.Has("casts_shadow")) return {};
+  if (ours.Get("casts_shadow").IsBool()) return ours.Get("casts_shadow").Get<bool>();
+  warnings.add("extras: tyndall.casts_shadow that is neither true nor false is passed over");
+  return {};
+}
+
+/// KHR_materials_transmission: drawn as a blended surface, of which a tenth stays where all light is let through; so it
+/// shadows nothing.
+void transmission(const Value& t, Material& m, Warnings& warnings) {
+  constexpr float kLeast = 0.1f;
+  const auto factor = static_cast<float>(number(t, "transmissionFactor", 0));
+  if (factor <= 0) return;
+  if (t.Has("transmissionTexture")) warnings.add("transmission textures are not read; the factor holds everywhere");
+  m.alphaMode = AlphaMode::kBlend;
+  m.baseColor.a *= 1 - (1 - kLeast) * factor;
+}
+
+document::Material material(const tinygltf::Material& in, Warnings& warnings) {
   document::Material out;
   Material& m = out.material;
   const auto& pbr = in.pbrMetallicRoughness;
@@ -144,6 +165,8 @@ document::Material material(const tinygltf::Material& in) {
   texture(in.occlusionTexture, m.occlusionTexture, out.uvSets[document::kOcclusionSlot]);
   texture(in.emissiveTexture, m.emissiveTexture, out.uvSets[document::kEmissiveSlot]);
   m.unlit = extension(in.extensions, "KHR_materials_unlit") != nullptr;
+  m.castsShadow = castsShadow(in.extras, warnings).value_or(!m.unlit);
+  if (const Value* t = extension(in.extensions, "KHR_materials_transmission")) transmission(*t, m, warnings);
   if (const Value* e = extension(in.extensions, "KHR_materials_emissive_strength"))
     m.emissive *= static_cast<float>(number(*e, "emissiveStrength", 1));
   if (const Value* s = extension(in.extensions, "KHR_materials_pbrSpecularGlossiness")) specularGlossiness(*s, out);
@@ -195,7 +218,7 @@ document::Mesh mesh(const tinygltf::Mesh& in) {
   return out;
 }
 
-document::Node node(const tinygltf::Node& in) {
+document::Node node(const tinygltf::Node& in, Warnings& warnings) {
   document::Node out;
   Node& n = out.node;
   n.name = in.name;
@@ -203,6 +226,9 @@ document::Node node(const tinygltf::Node& in) {
   n.camera = in.camera;
   if (const Value* light = extension(in.extensions, "KHR_lights_punctual"))
     n.light = static_cast<int>(number(*light, "light", kNone));
+  if (const Value* v = extension(in.extensions, "KHR_node_visibility"))
+    out.visible = !v->Has("visible") || v->Get("visible").Get<bool>();
+  out.castsShadow = castsShadow(in.extras, warnings);
   n.translation = vec<3>(in.translation, glm::vec3(0));
   n.scale = vec<3>(in.scale, glm::vec3(1));
   const glm::vec4 q = vec<4>(in.rotation, glm::vec4(0, 0, 0, 1));
@@ -298,13 +324,13 @@ document::Document parseGltf(Prepared prepared, Warnings& warnings) {
   });
   convert(out.accessors, model.accessors, accessor);
   convert(out.meshes, model.meshes, mesh);
-  convert(out.materials, model.materials, material);
+  convert(out.materials, model.materials, [&](const auto& m) { return material(m, warnings); });
   convert(out.textures, model.textures, [&](const auto& t) {
     return document::Texture{t.source, t.sampler >= 0 ? sampler(model.samplers[t.sampler]) : Sampler{}};
   });
   out.images = std::move(supply.images);
   out.images.resize(model.images.size());
-  convert(out.nodes, model.nodes, node);
+  convert(out.nodes, model.nodes, [&](const auto& n) { return node(n, warnings); });
   convert(out.scenes, model.scenes, [](const auto& s) { return document::SceneRoots{s.name, s.nodes}; });
   out.defaultScene = model.defaultScene;
   convert(out.cameras, model.cameras, camera);

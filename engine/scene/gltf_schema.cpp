@@ -50,6 +50,9 @@ const Schema kEmpty{};
 // Ours, in the extras of scene, document and asset: docs/conventions.md, "Exposure".
 const Schema kLevelHints{{{.key = "exposure", .kind = Kind::kAny}}};
 const Schema kLevelExtras{{freeObject("tyndall", kLevelHints)}};
+// Ours, in the extras of nodes and materials: docs/conventions.md, "Shadows".
+const Schema kCasterHints{{{.key = "casts_shadow", .kind = Kind::kAny}}};
+const Schema kCasterExtras{{freeObject("tyndall", kCasterHints)}};
 const Schema kAsset{{text("version", nullptr, true), text("minVersion"), freeObject("extras", kLevelExtras)}};
 const Schema kBuffer{{text("uri"), integer("byteLength", 0, kMaxInt, true)}};
 const Schema kBufferView{{index("buffer", "buffers", true), integer("byteOffset", 0, kMaxInt),
@@ -89,14 +92,16 @@ const Schema kMetallicRoughness{{factors("baseColorFactor", 4, 1), object("baseC
 const Schema kSpecularGlossiness{{factors("diffuseFactor", 4, 1), object("diffuseTexture", kTextureInfo),
                                   factors("specularFactor", 3, 1), factor("glossinessFactor", 0, 1)}};
 const Schema kEmissiveStrength{{factor("emissiveStrength", 0, kMaxStrength)}};
+const Schema kTransmission{{factor("transmissionFactor", 0, 1), object("transmissionTexture", kTextureInfo)}};
 const Schema kMaterialExtensions{{object("KHR_materials_unlit", kEmpty),
+                                  object("KHR_materials_transmission", kTransmission),
                                   object("KHR_materials_emissive_strength", kEmissiveStrength),
                                   object("KHR_materials_pbrSpecularGlossiness", kSpecularGlossiness)}};
-const Schema kMaterial{{text("name"), object("pbrMetallicRoughness", kMetallicRoughness),
-                        object("normalTexture", kNormalTexture), object("occlusionTexture", kOcclusionTexture),
-                        object("emissiveTexture", kTextureInfo), factors("emissiveFactor", 3, 1),
-                        text("alphaMode", "OPAQUE|MASK|BLEND"), factor("alphaCutoff", 0, kMaxColor),
-                        flag("doubleSided"), object("extensions", kMaterialExtensions)}};
+const Schema kMaterial{
+    {text("name"), object("pbrMetallicRoughness", kMetallicRoughness), object("normalTexture", kNormalTexture),
+     object("occlusionTexture", kOcclusionTexture), object("emissiveTexture", kTextureInfo),
+     factors("emissiveFactor", 3, 1), text("alphaMode", "OPAQUE|MASK|BLEND"), factor("alphaCutoff", 0, kMaxColor),
+     flag("doubleSided"), object("extensions", kMaterialExtensions), freeObject("extras", kCasterExtras)}};
 
 const Schema kImage{{text("name"), text("uri"), index("bufferView", "bufferViews"), text("mimeType")}};
 const Schema kSampler{{integer("magFilter", 0, kMaxInt, false, "9728|9729"),
@@ -106,10 +111,11 @@ const Schema kSampler{{integer("magFilter", 0, kMaxInt, false, "9728|9729"),
 const Schema kTexture{{index("sampler", "samplers"), index("source", "images")}};
 
 const Schema kNodeLight{{index("light", "KHR_lights_punctual.lights", true)}};
-const Schema kNodeExtensions{{object("KHR_lights_punctual", kNodeLight)}};
+const Schema kVisibility{{flag("visible")}};
+const Schema kNodeExtensions{{object("KHR_lights_punctual", kNodeLight), object("KHR_node_visibility", kVisibility)}};
 const Schema kNode{{text("name"), indices("children", "nodes"), index("camera", "cameras"), index("mesh", "meshes"),
                     index("skin", "skins"), vector("matrix", 16), vector("translation", 3), vector("rotation", 4),
-                    vector("scale", 3), object("extensions", kNodeExtensions)}};
+                    vector("scale", 3), object("extensions", kNodeExtensions), freeObject("extras", kCasterExtras)}};
 const Schema kScene{{text("name"), indices("nodes", "nodes"), freeObject("extras", kLevelExtras)}};
 
 const Schema kPerspective{

@@ -138,6 +138,7 @@ struct Attachments {
 std::vector<std::int32_t> importNodes(Document& document, Scene& scene, Warnings& warnings) {
   const std::vector<std::int32_t> parentOf = parents(document, warnings);
   std::vector<std::int32_t> sceneNode(document.nodes.size(), kNone);
+  std::vector<bool> hidden;  // of the scene's nodes
   Attachments attachments{document, scene, warnings};
   // Depth first with a stack of our own: the file decides how deep the tree is.
   std::vector<int> stack = roots(document, parentOf, scene, warnings);
@@ -151,6 +152,9 @@ std::vector<std::int32_t> importNodes(Document& document, Scene& scene, Warnings
     n.order = static_cast<std::uint32_t>(i);
     n.parent = parentOf[i] == kNone ? kNone : sceneNode[parentOf[i]];
     repairTransform(n, element("nodes", i), warnings);
+    hidden.push_back(!in.visible || (n.parent != kNone && hidden[n.parent]));
+    n.castsShadow = in.castsShadow.value_or(n.parent == kNone || scene.nodes[n.parent].castsShadow);
+    if (hidden.back()) n.mesh = n.light = kNone;
     if (in.skinned) warnings.add("skins are not supported; skinned meshes stand in their rest pose");
     attachments.camera(n.camera);
     attachments.light(n.light);

@@ -11,9 +11,33 @@
 namespace tyndall::scene {
 namespace {
 
-constexpr std::string_view kSupported[] = {"KHR_lights_punctual",   "KHR_materials_emissive_strength",
-                                           "KHR_materials_unlit",   "KHR_materials_pbrSpecularGlossiness",
-                                           "KHR_mesh_quantization", "KHR_texture_transform"};
+constexpr std::string_view kSupported[] = {"KHR_lights_punctual",        "KHR_materials_emissive_strength",
+                                           "KHR_materials_transmission", "KHR_materials_pbrSpecularGlossiness",
+                                           "KHR_materials_unlit",        "KHR_mesh_quantization",
+                                           "KHR_node_visibility",        "KHR_texture_transform"};
+
+/// Extensions that only change how a surface looks or what is chosen among variants: a file that requires one is shown
+/// without it.
+constexpr std::string_view kHarmless[] = {"KHR_materials_anisotropy",
+                                          "KHR_materials_clearcoat",
+                                          "KHR_materials_diffuse_transmission",
+                                          "KHR_materials_dispersion",
+                                          "KHR_materials_ior",
+                                          "KHR_materials_iridescence",
+                                          "KHR_materials_sheen",
+                                          "KHR_materials_specular",
+                                          "KHR_materials_variants",
+                                          "KHR_materials_volume",
+                                          "KHR_node_selectability",
+                                          "KHR_node_hoverability",
+                                          "KHR_xmp_json_ld",
+                                          "EXT_lights_image_based",
+                                          "KHR_animation_pointer",
+                                          "KHR_materials_volume_scatter"};
+
+bool harmless(const std::string& extension) {
+  return std::find(std::begin(kHarmless), std::end(kHarmless), extension) != std::end(kHarmless);
+}
 
 bool supported(const std::string& extension) {
   return std::find(std::begin(kSupported), std::end(kSupported), extension) != std::end(kSupported);
@@ -54,7 +78,7 @@ void checkVersion(const Json& document) {
 
 void checkExtensions(const Json& document, Warnings& warnings) {
   for (const Json& name : document.value("extensionsRequired", Json::array()))
-    if (!supported(name.get<std::string>()))
+    if (!supported(name.get<std::string>()) && !harmless(name.get<std::string>()))
       refuse("requires the extension " + inQuotes(name.get<std::string>()) + ", which is not supported");
   std::string ignored;
   for (const Json& name : document.value("extensionsUsed", Json::array()))

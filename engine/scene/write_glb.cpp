@@ -117,6 +117,7 @@ struct Writer {
     }
     if (m.alphaMode == AlphaMode::kBlend) out["alphaMode"] = "BLEND";
     if (m.doubleSided) out["doubleSided"] = true;
+    if (m.castsShadow == m.unlit) out["extras"]["tyndall"]["casts_shadow"] = m.castsShadow;
     if (m.unlit) {
       out["extensions"]["KHR_materials_unlit"] = Json::object();
       extensions.insert("KHR_materials_unlit");
@@ -176,6 +177,8 @@ struct Writer {
       if (q != glm::quat(1, 0, 0, 0)) out["rotation"] = {q.x, q.y, q.z, q.w};
       if (n.scale != glm::vec3(1)) out["scale"] = list<3>(n.scale);
     }
+    const bool parentCasts = n.parent == kNone || scene.nodes[n.parent].castsShadow;
+    if (n.castsShadow != parentCasts) out["extras"]["tyndall"]["casts_shadow"] = n.castsShadow;
     if (n.mesh != kNone && meshOfScene[n.mesh] != kNone) out["mesh"] = meshOfScene[n.mesh];
     if (n.camera != kNone) out["camera"] = n.camera;
     if (n.light != kNone) out["extensions"]["KHR_lights_punctual"] = {{"light", n.light}};

@@ -102,6 +102,7 @@ struct Material {
   AlphaMode alphaMode = AlphaMode::kOpaque;
   bool doubleSided = false;
   bool unlit = false;
+  bool castsShadow = true;  ///< by default not where unlit: sky domes and backdrops
   TextureUse baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
 };
 
@@ -115,6 +116,7 @@ struct Node {
   std::int32_t mesh = kNone;
   std::int32_t camera = kNone;
   std::int32_t light = kNone;
+  bool castsShadow = true;  ///< its mesh; false wherever its material says so
   std::uint32_t order = 0;  ///< place in the file's own list of nodes, which may have children before parents
 };
 
