@@ -34,7 +34,7 @@ Result<std::unique_ptr<Occluders>> Occluders::build(const scene::Scene& scene, d
     glm::dmat4 eyeFromMesh(worldFromNode[n]);
     eyeFromMesh[3] -= glm::dvec4(eye, 0);
     for (const scene::Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives)
-      if (!occluders->add(scene, primitive, eyeFromMesh))
+      if (!occluders->add(scene, primitive, eyeFromMesh, node.castsShadow))
         return failed("node " + std::to_string(n) + (node.name.empty() ? "" : " (" + node.name + ")") +
                       ": its mesh does not fit: a vertex is at no finite place, or memory ran out");
   }
@@ -45,7 +45,8 @@ Result<std::unique_ptr<Occluders>> Occluders::build(const scene::Scene& scene, d
   return occluders;
 }
 
-bool Occluders::add(const scene::Scene& scene, const scene::Primitive& primitive, const glm::dmat4& eyeFromMesh) {
+bool Occluders::add(const scene::Scene& scene, const scene::Primitive& primitive, const glm::dmat4& eyeFromMesh,
+                    bool casts) {
   static const scene::Material kDefault;
   const scene::Material& material =
       primitive.material == scene::kNone ? kDefault : scene.materials[static_cast<std::size_t>(primitive.material)];
@@ -53,6 +54,7 @@ bool Occluders::add(const scene::Scene& scene, const scene::Primitive& primitive
 
   Surface& surface = surfaces_.emplace_back();
   surface.singleSided = !material.doubleSided;
+  surface.casts = casts && material.castsShadow;
   if (material.alphaMode == scene::AlphaMode::kMask) surface.mask.emplace(scene, primitive, material);
 
   const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -77,7 +79,7 @@ bool Occluders::add(const scene::Scene& scene, const scene::Primitive& primitive
 
   rtcSetGeometryUserData(geometry, &surface);
   if (surface.singleSided || surface.mask) rtcSetGeometryIntersectFilterFunction(geometry, filterSeen);
-  if (surface.mask) rtcSetGeometryOccludedFilterFunction(geometry, filterShadow);
+  if (surface.mask || !surface.casts) rtcSetGeometryOccludedFilterFunction(geometry, filterShadow);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(tree_, geometry);
   return true;
@@ -105,9 +107,11 @@ void Occluders::filterShadow(const RTCFilterFunctionNArguments* arguments) {
   const auto& surface = *static_cast<const Surface*>(arguments->geometryUserPtr);
   const unsigned n = arguments->N;
   for (unsigned i = 0; i < n; ++i)
-    if (arguments->valid[i] != 0 &&
-        !surface.mask->covers(RTCHitN_primID(arguments->hit, n, i), double{RTCHitN_u(arguments->hit, n, i)},
-                              double{RTCHitN_v(arguments->hit, n, i)}))
+    if (arguments->valid[i] != 0 && !surface.casts)
+      arguments->valid[i] = 0;
+    else if (arguments->valid[i] != 0 &&
+             !surface.mask->covers(RTCHitN_primID(arguments->hit, n, i), double{RTCHitN_u(arguments->hit, n, i)},
+                                   double{RTCHitN_v(arguments->hit, n, i)}))
       arguments->valid[i] = 0;
 }
 

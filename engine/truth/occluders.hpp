@@ -37,17 +37,18 @@ class Occluders {
 
   /// All casters.
   const Box& bounds() const { return bounds_; }
-  /// For shadow rays (rtcOccluded*): both sides of every surface occlude, masks are respected.
+  /// For shadow rays (rtcOccluded*): both sides of every surface that casts shadows occlude, masks are respected.
   RTCScene tree() const { return tree_; }
 
  private:
   struct Surface {
     std::optional<Mask> mask;
     bool singleSided = false;
+    bool casts = true;      ///< shadows
     bool mirrored = false;  ///< by its node: the front is clockwise
   };
   Occluders() = default;
-  bool add(const scene::Scene& scene, const scene::Primitive& primitive, const glm::dmat4& eyeFromMesh);
+  bool add(const scene::Scene& scene, const scene::Primitive& primitive, const glm::dmat4& eyeFromMesh, bool casts);
   static void filterSeen(const RTCFilterFunctionNArguments* arguments);
   static void filterShadow(const RTCFilterFunctionNArguments* arguments);
 
