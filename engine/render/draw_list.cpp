@@ -46,13 +46,14 @@ DrawList buildDrawList(const scene::Scene& scene, const SceneResources& resource
                                                           : Facing::kFront;
       draw.mask = material.alphaMode == scene::AlphaMode::kMask;
       draw.textures = material.textures;
+      draw.casts = scene.nodes[n].castsShadow && material.castsShadow;
       draw.bounds = transformBounds(range.bounds, worldFromNode[n]);
       if (material.alphaMode == scene::AlphaMode::kBlend) {
         draw.distance = glm::distance(eye, 0.5f * (draw.bounds.min + draw.bounds.max));
         list.blended.push_back(draw);
       } else {
         draw.distance = glm::distance(eye, glm::clamp(eye, draw.bounds.min, draw.bounds.max));
-        list.casters.add(draw.bounds);
+        if (draw.casts) list.casters.add(draw.bounds);
         list.solid.push_back(draw);
       }
     }

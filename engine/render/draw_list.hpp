@@ -20,6 +20,7 @@ struct Draw {
   std::uint32_t instance = 0;
   Facing facing = Facing::kFront;
   bool mask = false;
+  bool casts = true;           ///< shadows
   std::uint32_t textures = 0;  ///< shared::k...Map bits
   scene::Bounds bounds;        ///< world
   float distance = 0;  ///< opaque: to the nearest point of the bounds; blended: to their centre; metres from the eye
@@ -27,9 +28,10 @@ struct Draw {
 
 struct DrawList {
   std::vector<shared::InstanceBlock> instances;
-  std::vector<Draw> solid;    ///< opaque and alpha-tested, by pipeline, then front to back; these cast shadows
+  std::vector<Draw>
+      solid;  ///< opaque and alpha-tested, by pipeline, then front to back; these cast shadows where they may
   std::vector<Draw> blended;  ///< back to front
-  scene::Bounds casters;      ///< of `solid`, world
+  scene::Bounds casters;      ///< of those of `solid` that cast shadows, world
 };
 
 DrawList buildDrawList(const scene::Scene& scene, const SceneResources& resources,

@@ -100,7 +100,7 @@ void recordCasters(PassContext& context, const FrameData& frame, const CasterPip
   const gpu::Pipeline* bound = nullptr;
   std::uint32_t material = kNothing;
   for (const Draw& draw : frame.draws.solid) {
-    if (!mayBeSeen(draw.bounds, clipFromWorld, DepthPlanes::kClamped)) continue;
+    if (!draw.casts || !mayBeSeen(draw.bounds, clipFromWorld, DepthPlanes::kClamped)) continue;
     const gpu::Pipeline* pipeline = draw.mask ? pipelines.mask : pipelines.opaque;
     if (pipeline != bound) {
       vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle());

@@ -15,6 +15,62 @@ std::string label(const std::vector<scene::LightView>& lights, std::uint32_t ind
   return "light " + std::to_string(index) + (name.empty() ? "" : " '" + name + "'");
 }
 
+// Suns first, then by candela: unlike importance() the same wherever the camera is, as sizes of maps are a part of an
+// effect's layout.
+std::vector<std::uint32_t> byStrength(const std::vector<scene::LightView>& lights) {
+  const auto strength = [&](std::uint32_t i) {
+    const scene::Light& light = lights[i].light;
+    return std::max({light.color.r, light.color.g, light.color.b}) * light.intensity;
+  };
+  std::vector<std::uint32_t> order(lights.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const bool sunA = lights[a].light.kind == scene::LightKind::kDirectional;
+    const bool sunB = lights[b].light.kind == scene::LightKind::kDirectional;
+    return sunA != sunB ? sunA : strength(a) > strength(b);
+  });
+  return order;
+}
+
+/// Sides of all lights' maps that fit into the budget together; 0 for those that have no room at all.
+std::vector<std::uint32_t> sizesWithin(const std::vector<scene::LightView>& lights, std::uint32_t side, double budget,
+                                       double texelBytes) {
+  const std::vector<std::uint32_t> order = byStrength(lights);
+  std::vector<std::uint32_t> sides(lights.size(), side);
+  const auto bytes = [&](std::uint32_t i) {
+    return texelBytes * sides[i] * sides[i] * (lights[i].light.kind == scene::LightKind::kPoint ? 6 : 1);
+  };
+  double used = 0;
+  for (std::uint32_t i = 0; i < lights.size(); ++i) used += bytes(i);
+  for (std::uint32_t now = side; used > budget && now > kLeastShadowSide; now = std::max(now / 2, kLeastShadowSide))
+    for (auto i = order.rbegin(); i != order.rend() && used > budget; ++i) {
+      used -= bytes(*i);
+      sides[*i] = std::max(now / 2, kLeastShadowSide);
+      used += bytes(*i);
+    }
+  for (auto i = order.rbegin(); i != order.rend() && used > budget; ++i) {
+    used -= bytes(*i);
+    sides[*i] = 0;
+  }
+  return sides;
+}
+
+/// One line for all lights of which the same is to be said.
+void tellTogether(const std::vector<scene::LightView>& lights,
+                  const std::vector<std::pair<std::uint32_t, std::string>>& told, std::vector<std::string>& notes) {
+  std::vector<std::string> kinds;
+  for (const auto& [index, text] : told)
+    if (std::find(kinds.begin(), kinds.end(), text) == kinds.end()) kinds.push_back(text);
+  for (const std::string& text : kinds) {
+    std::size_t count = 0;
+    std::uint32_t first = 0;
+    for (const auto& [index, other] : told)
+      if (other == text && count++ == 0) first = index;
+    notes.push_back(label(lights, first) + (count > 1 ? " and " + std::to_string(count - 1) + " more" : "") + ": " +
+                    text);
+  }
+}
+
 // Irradiance at the eye without shadow and cone: a spot light that points elsewhere may still light what is seen.
 double importance(const View& view, const scene::LightView& light) {
   const double strength =
@@ -59,25 +115,37 @@ LightPlan planLights(const View& view, const std::vector<scene::LightView>& ligh
     return importance(view, lights[a]) > importance(view, lights[b]);
   });
 
-  double used = 0;
-  const double face = texelBytes * shadowSize * shadowSize;
+  const std::vector<std::uint32_t> sides =
+      sizesWithin(lights, shadowSize, static_cast<double>(budgetBytes), texelBytes);
+  std::vector<std::pair<std::uint32_t, std::string>> told;
+  std::uint32_t smaller = 0, least = shadowSize;
   for (const std::uint32_t index : order) {
-    const double bytes = face * (lights[index].light.kind == scene::LightKind::kPoint ? 6 : 1);
-    if (used + bytes > static_cast<double>(budgetBytes)) {
-      plan.notes.push_back(
-          label(lights, index) + ": no shadow map; " + std::to_string(budgetBytes >> 20) +
-          " MiB of shadow maps are used up by more important lights, a lower shadows.resolution makes room");
+    if (sides[index] == 0) {
       plan.unshadowed.push_back(index);
       continue;
     }
-    used += bytes;
-    plan.shadowed.push_back({index, fitShadow(view, lights[index], casters, shadowSize)});
+    smaller += sides[index] < shadowSize;
+    least = std::min(least, sides[index]);
+    plan.shadowed.push_back({index, sides[index], fitShadow(view, lights[index], casters, sides[index])});
     const std::string& note = plan.shadowed.back().fit.note;
-    if (!note.empty()) plan.notes.push_back(label(lights, index) + ": " + note);
+    if (!note.empty()) told.emplace_back(index, note);
   }
+  tellTogether(lights, told, plan.notes);
+  const std::string budget = std::to_string(budgetBytes >> 20) + " MiB of shadow maps";
+  if (smaller > 0)
+    plan.notes.push_back(std::to_string(smaller) + " of " + std::to_string(lights.size()) +
+                         " lights have smaller shadow maps than shadows.resolution says, down to " +
+                         std::to_string(least) + " texels a side: " + budget +
+                         " are shared, the strongest lights first");
+  if (!plan.unshadowed.empty())
+    plan.notes.push_back(std::to_string(plan.unshadowed.size()) + " of " + std::to_string(lights.size()) +
+                         " lights are off: " + budget + " have no room for the smallest of theirs");
   for (const PlannedLight& light : plan.shadowed)
-    plan.blocks.push_back(makeBlock(lights[light.source], light.fit, shadowSize));
-  for (const std::uint32_t index : plan.unshadowed) plan.blocks.push_back(makeBlock(lights[index], {}, shadowSize));
+    plan.blocks.push_back(makeBlock(lights[light.source], light.fit, light.size));
+  for (const std::uint32_t index : plan.unshadowed) {
+    plan.blocks.push_back(makeBlock(lights[index], {}, shadowSize));
+    plan.blocks.back().core.intensity = glm::vec3(0);  // it would light through walls
+  }
   return plan;
 }
 

@@ -29,7 +29,7 @@ ShadowedLight describe(const FrameData& frame, const scene::LightView& light, co
 }  // namespace
 
 Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame,
-                             const std::vector<scene::LightView>& lights, std::uint32_t size, ShadowCache* cache) {
+                             const std::vector<scene::LightView>& lights, ShadowCache* cache) {
   constexpr VkImageLayout kRead = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
   if (cache) cache->keepOnly(frame->plan.shadowed);
   const Result<CasterPipelines> pipelines = casterPipelines(tools.pipelines);
@@ -39,7 +39,7 @@ Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::sh
     gpu::ImageDesc desc;
     desc.name = "shadow map of light " + std::to_string(light.source);
     desc.format = kDepthFormat;
-    desc.width = desc.height = size;
+    desc.width = desc.height = light.size;
     desc.layers = light.fit.faceCount;
     std::shared_ptr<KeptShadowMap> kept;
     const std::uint64_t content = cache ? shadowContent(*frame, light.fit) : 0;
@@ -79,7 +79,7 @@ Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::sh
       moments = *made;
     }
     frame->momentMaps.push_back(moments);
-    inFileOrder.emplace_back(light.source, describe(*frame, lights[light.source], light.fit, map, moments, size));
+    inFileOrder.emplace_back(light.source, describe(*frame, lights[light.source], light.fit, map, moments, light.size));
   }
   std::sort(inFileOrder.begin(), inFileOrder.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto& [index, light] : inFileOrder) frame->shadowedLights.push_back(std::move(light));

@@ -23,7 +23,7 @@ struct PassTools {
 /// frame.shadowMaps and frame.momentMaps. With a `cache`, maps live there, and those that show what they should already
 /// are not drawn.
 Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame,
-                             const std::vector<scene::LightView>& lights, std::uint32_t size, ShadowCache* cache);
+                             const std::vector<scene::LightView>& lights, ShadowCache* cache);
 
 /// Passes that make a light's four-moment shadow map: its Gaussian along rows and columns, then its mips. The graph
 /// drops them where nobody reads the result. frame.momentFormat must be set.

@@ -174,8 +174,8 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
     if (frame->cookies) frame->cookieArray = graph.import(frame->resources->cookies.image, kRead, kRead);
   }
   if (!input.settings.reuseShadows) state_->shadows.clear();
-  if (Result<void> r = addShadowPasses(graph, tools, frame, input.lights, shadowSize,
-                                       input.settings.reuseShadows ? &state_->shadows : nullptr);
+  if (Result<void> r =
+          addShadowPasses(graph, tools, frame, input.lights, input.settings.reuseShadows ? &state_->shadows : nullptr);
       !r)
     return r.error();
   if (Result<void> r = addGBufferPass(graph, tools, frame, !debugView.empty() || !input.settings.offered.empty()); !r)

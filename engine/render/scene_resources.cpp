@@ -52,6 +52,7 @@ Result<MaterialBindings> bindMaterial(TextureUploader& textures, const scene::Ma
   MaterialBindings b;
   b.alphaMode = m.alphaMode;
   b.doubleSided = m.doubleSided;
+  b.castsShadow = m.castsShadow;
   b.textures = textureBits(m);
   const struct {
     const scene::TextureUse& use;

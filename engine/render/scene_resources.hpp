@@ -23,6 +23,7 @@ struct MaterialBindings {
   TextureBinding baseColor, alpha, metallicRoughness, normal, occlusion, emissive;
   scene::AlphaMode alphaMode = scene::AlphaMode::kOpaque;
   bool doubleSided = false;
+  bool castsShadow = true;
   std::uint32_t textures = 0;  ///< shared::k...Map bits of the maps it has
 };
 

@@ -9,7 +9,8 @@ namespace tyndall::render {
 std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit) {
   // The order of draws follows the camera and is not a part of it.
   std::uint64_t casters = 0;
-  for (const Draw& draw : frame.draws.solid)
+  for (const Draw& draw : frame.draws.solid) {
+    if (!draw.casts) continue;
     casters += Hash()
                    .add(draw.range.firstIndex)
                    .add(draw.range.indexCount)
@@ -17,6 +18,7 @@ std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit) {
                    .add(draw.range.material)
                    .add(frame.draws.instances[draw.instance].worldFromObject)
                    .value();
+  }
   Hash hash;
   hash.add(casters).add(frame.materialsHash).add(frame.resources.get()).add(fit.useful).add(fit.faceCount);
   for (std::uint32_t face = 0; face < fit.faceCount; ++face) hash.add(fit.clipFromWorld[face]);
