@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "base/file_set.hpp"
+#include "base/process.hpp"
 
 namespace tyndall {
 namespace fs = std::filesystem;
@@ -59,16 +60,18 @@ Result<std::string> readText(const fs::path& path, std::uint64_t maxBytes) {
 }
 
 Result<void> writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return failed(path.string() + ": is a folder; a file name is needed");
-  std::string temporary = path.string() + ".XXXXXX";
-  Descriptor file{::mkstemp(temporary.data())};
+  auto target = followLinks(path);
+  if (!target) return target.error();
+  struct stat old {};
+  const bool replaces = ::stat(target->c_str(), &old) == 0;
+  if (replaces && S_ISDIR(old.st_mode)) return failed(path.string() + ": is a folder; a file name is needed");
+  // A device or a pipe would be replaced by a file, not written to.
+  if (replaces && !S_ISREG(old.st_mode)) return failed(path.string() + ": is not a regular file; name another");
+
+  TemporaryFile temporary(target->parent_path());
+  Descriptor file{::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)};
   if (file.fd < 0) return failed(path.string() + ": cannot be written: " + reason());
-  const auto fail = [&](const char* what) {
-    const std::string why = reason();
-    ::unlink(temporary.c_str());
-    return failed(path.string() + ": " + what + ": " + why);
-  };
+  const auto fail = [&](const char* what) { return failed(path.string() + ": " + what + ": " + reason()); };
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t put = ::write(file.fd, bytes.data() + done, bytes.size() - done);
@@ -76,11 +79,11 @@ Result<void> writeFileAtomically(const fs::path& path, std::span<const std::byte
     if (put < 0) return fail("cannot be written");
     done += static_cast<std::size_t>(put);
   }
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  if (::fchmod(file.fd, 0666 & ~mask) != 0) return fail("cannot be written");
+  if (replaces && ::fchmod(file.fd, old.st_mode & 0777) != 0) return fail("cannot be written");
   if (::fsync(file.fd) != 0 && errno != EINVAL) return fail("cannot be written");
-  if (::rename(temporary.c_str(), path.c_str()) != 0) return fail("cannot be put in place");
+  const SignalsWait wait;
+  if (::rename(temporary.path().c_str(), target->c_str()) != 0) return fail("cannot be put in place");
+  temporary.forget();
   return {};
 }
 
@@ -92,19 +95,6 @@ fs::path executableFolder() {
   std::error_code failedCode;
   const fs::path self = fs::read_symlink("/proc/self/exe", failedCode);
   return failedCode ? fs::current_path(failedCode) : self.parent_path();
-}
-
-fs::path cacheFolder() {
-  fs::path folder;
-  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg)
-    folder = fs::path(xdg) / "tyndall";
-  else if (const char* home = std::getenv("HOME"); home && *home)
-    folder = fs::path(home) / ".cache" / "tyndall";
-  else
-    return {};
-  std::error_code failedCode;
-  fs::create_directories(folder, failedCode);
-  return failedCode ? fs::path{} : folder;
 }
 
 std::string nearestName(std::string_view text, std::span<const std::string> candidates) {

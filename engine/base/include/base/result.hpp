@@ -13,6 +13,7 @@ namespace tyndall {
 enum class ErrorKind {
   kFailed,   ///< the call was right, the work failed: exit status 1
   kBadCall,  ///< the call itself was wrong (unknown option, id, level; value out of range): exit status 2
+  kUnread,   ///< whoever read the results has gone: exit status 1, and no line, since nobody waits for one
 };
 
 /// One line: "<subject>: <what is wrong>; <what would be right>".
