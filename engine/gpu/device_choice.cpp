@@ -128,10 +128,13 @@ bool hasExtension(VkPhysicalDevice physical, const char* name) {
 std::vector<std::size_t> matchingDevices(const std::vector<std::string>& names, const std::string& wanted) {
   const bool number =
       !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
-  if (number)  // "1" is the second device, though the first may have a 1 in its name; "4090" is no index
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (wanted == std::to_string(i)) return {i};
   std::vector<std::size_t> found;
+  if (number) {  // "1" is the second device, where there is one, though the first may have a 1 in its name
+    const std::string digits = wanted.substr(std::min(wanted.find_first_not_of('0'), wanted.size() - 1));
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (digits == std::to_string(i)) found.push_back(i);
+    return found;
+  }
   for (std::size_t i = 0; i < names.size(); ++i)
     if (lower(names[i]).find(lower(wanted)) != std::string::npos) found.push_back(i);
   return found;
@@ -163,7 +166,8 @@ Result<Choice> chooseDevice(VkInstance instance, const DeviceOptions& options) {
   }
   if (best) return Choice{best->physical, best->family};
   if (matching.empty())
-    return badCall(origin + " '" + wanted + "': no such Vulkan device; there is: " + describe(candidates));
+    return badCall(origin + " '" + wanted +
+                   "': no such Vulkan device; an index or a part of a name is needed of: " + describe(candidates));
   return failed("Vulkan: no device that the engine can use" + (wanted.empty() ? "" : " is named '" + wanted + "'") +
                 ": " + describe(candidates));
 }

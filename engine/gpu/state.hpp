@@ -134,7 +134,8 @@ struct Choice {
 constexpr const char* kNoDriver =
     "Vulkan: there is no device; install a driver (package mesa-vulkan-drivers has one for the CPU)";
 Result<Choice> chooseDevice(VkInstance instance, const DeviceOptions& options);
-/// Places in `names` that `wanted` means: an index, else part of a name in any case; all of them if it is empty.
+/// Places in `names` that `wanted` means: a number is an index and nothing else, other text part of a name in any case;
+/// all of them if it is empty.
 std::vector<std::size_t> matchingDevices(const std::vector<std::string>& names, const std::string& wanted);
 bool hasExtension(VkPhysicalDevice physical, const char* name);
 

@@ -48,15 +48,22 @@ TEST(GpuDevice, IsFoundByAPartOfItsNameAndByItsIndex) {
   EXPECT_EQ((*device)->info().name, name);
 }
 
-TEST(GpuDevice, AnIndexComesBeforeANumberInAName) {
+TEST(GpuDevice, ANumberIsAnIndexAndNeverPartOfAName) {
   using List = std::vector<std::size_t>;
-  const std::vector<std::string> names{"Radeon 1100", "GeForce 4090", "llvmpipe"};
+  const std::vector<std::string> names{"Radeon 1100", "GeForce 4090", "llvmpipe (LLVM 15.0.6, 256 bits)"};
   EXPECT_EQ(matchingDevices(names, ""), (List{0, 1, 2}));
-  EXPECT_EQ(matchingDevices(names, "1"), List{1});
-  EXPECT_EQ(matchingDevices(names, "4090"), List{1});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(matchingDevices(names, std::to_string(i)), List{i});
+    EXPECT_EQ(matchingDevices(names, "00" + std::to_string(i)), List{i});
+  }
+  for (const char* beyond : {"3", "11", "15", "256", "4090", "99999999999999999999"})
+    EXPECT_EQ(matchingDevices(names, beyond), List{}) << beyond;
+  EXPECT_EQ(matchingDevices({"llvmpipe (LLVM 15.0.6, 256 bits)"}, "1"), List{});
   EXPECT_EQ(matchingDevices(names, "GEFORCE"), List{1});
+  EXPECT_EQ(matchingDevices(names, "e 4090"), List{1});
+  EXPECT_EQ(matchingDevices(names, "15.0"), List{2});
+  EXPECT_EQ(matchingDevices(names, "-1"), List{});
   EXPECT_EQ(matchingDevices(names, "e"), (List{0, 1, 2}));
-  EXPECT_EQ(matchingDevices(names, "3"), List{});
 }
 
 TEST(GpuDevice, UnknownNameListsWhatThereIs) {
@@ -66,8 +73,16 @@ TEST(GpuDevice, UnknownNameListsWhatThereIs) {
   EXPECT_NE(device.error().message.find("Voodoo 2"), std::string::npos) << device.error().message;
   EXPECT_NE(device.error().message.find("0 '"), std::string::npos) << device.error().message;
   EXPECT_EQ(device.error().message.find('\n'), std::string::npos);
-  auto index = Device::create({.name = "99"});
-  EXPECT_FALSE(index.ok());
+  std::uint32_t count = 0;
+  {
+    auto first = Device::create({.name = "0"});
+    ASSERT_TRUE(first.ok()) << first.error().message;
+    vkEnumeratePhysicalDevices((*first)->instance(), &count, nullptr);
+  }
+  auto beyond = Device::create({.name = std::to_string(count)});
+  ASSERT_FALSE(beyond.ok()) << "the first index that there is not";
+  EXPECT_EQ(beyond.error().kind, ErrorKind::kBadCall);
+  EXPECT_NE(beyond.error().message.find("0 '"), std::string::npos) << beyond.error().message;
 }
 
 TEST(GpuDevice, EnvironmentNamesTheDeviceUnlessTheCallDoes) {

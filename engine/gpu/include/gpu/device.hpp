@@ -19,8 +19,8 @@
 namespace tyndall::gpu {
 
 struct DeviceOptions {
-  std::string name;  ///< part of a device name, case-insensitive, or an index; empty: $TYNDALL_DEVICE, else the best
-                     ///< (discrete, integrated, CPU)
+  std::string name;  ///< an index, else part of a device's name, case-insensitive; a number is never part of a name;
+                     ///< empty: $TYNDALL_DEVICE, else the best (discrete, integrated, CPU)
   bool validation = false;  ///< validation layer with synchronization validation; its absence is an error
   bool window = false;      ///< enables VK_KHR_swapchain
   std::vector<std::string> instanceExtensions;
