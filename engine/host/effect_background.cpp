@@ -20,13 +20,17 @@ constexpr std::size_t kFetchedPerFrame = 1;
 }  // namespace
 
 PluginEffect::State::~State() {
-  if (second) plugin.state().plugin.destroy(second);
+  if (second) plugin.state().destroy(second);
 }
 
 TyInstance* PluginEffect::State::spare() {
   Plugin::State& p = plugin.state();
   if (built->instance != p.instance) return p.instance;
-  if (!second) second = p.plugin.create();
+  if (!second) {
+    p.log.hold();
+    second = p.create();
+    if (second) p.log.letGo();
+  }
   return second;
 }
 
@@ -43,7 +47,7 @@ Result<void> PluginEffect::State::updateInBackground(const Structure& wanted, co
     forgetComing();
     askedNext.reset();
     TyInstance* const instance = spare();
-    if (!instance) return failed("could not be set up a second time (its create failed; see its log line)");
+    if (!instance) return failed("could not be set up a second time: its create failed" + plugin.state().log.reason());
     auto layout = ask(instance, wanted);
     if (!layout) return layout.error();
     askedNext = Asked{wanted, automaticsOf(wanted, *layout)};
@@ -101,7 +105,7 @@ void PluginEffect::State::noteCompiled(const Built& of, const std::vector<std::o
 Result<void> PluginEffect::State::begin(Structure structure, const render::EffectInput& input) {
   forgetComing();
   TyInstance* const instance = spare();
-  if (!instance) return failed("could not be set up a second time (its create failed; see its log line)");
+  if (!instance) return failed("could not be set up a second time: its create failed" + plugin.state().log.reason());
   auto next = describe(instance, std::move(structure), static_cast<bool>(input.drawCasters));
   if (!next) return next.error();
   auto plans = pipelines.plan((*next)->layout);

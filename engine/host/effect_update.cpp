@@ -17,7 +17,14 @@ Result<Layout> PluginEffect::State::ask(TyInstance* instance, const Structure& s
   Plugin::State& p = plugin.state();
   const TyDevice deviceAbi = makeDevice(device.info());
   const TyStructure structureAbi = structure.abi();
-  auto layout = copyLayout(p.plugin.layout(instance, &deviceAbi, &structureAbi));
+  p.log.hold();
+  const TyLayout* const answer = [&] {
+    const PluginCall call(p.called(), "layout()");
+    return p.plugin.layout(instance, &deviceAbi, &structureAbi);
+  }();
+  if (answer == nullptr) return failed("it gave no layout" + p.log.reason());
+  p.log.letGo();
+  auto layout = copyLayout(answer);
   if (!layout) return layout;
   if (auto good = checkLayout(*layout, makeLimits(device.info()), structure.context()); !good) return good.error();
   const auto& parameters = plugin.parameters();
@@ -177,7 +184,11 @@ bool PluginEffect::State::prepare(const render::EffectInput& input) {
   abi.light_count = static_cast<std::uint32_t>(lights.size());
   abi.values = values.data();
   abi.value_count = static_cast<std::uint32_t>(values.size());
-  if (!plugin.state().plugin.prepare(built->instance, &abi, &built->uniforms.begin())) return false;
+  Plugin::State& p = plugin.state();
+  {
+    const PluginCall call(p.called(), "prepare()");
+    if (!p.plugin.prepare(built->instance, &abi, &built->uniforms.begin())) return false;
+  }
   reset = false;
   return true;
 }

@@ -73,7 +73,7 @@ Result<LayoutPass> copyPass(const TyPass& from, const std::string& what) {
 }  // namespace
 
 Result<Layout> copyLayout(const TyLayout* from) {
-  if (from == nullptr) return failed("the plugin gave no layout (see its log line)");
+  if (from == nullptr) return failed("it gave no layout");
   const auto d = readStruct<TyLayout>(from);
   Layout layout;
   if (auto r = copyNamed(layout.images, d.images, d.image_count, "images"); !r) return r.error();

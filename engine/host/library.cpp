@@ -1,7 +1,6 @@
 #include "library.hpp"
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <span>
 #include <system_error>
@@ -12,6 +11,8 @@
 #include <sys/stat.h>
 
 #include "base/file.hpp"
+#include "base/log.hpp"
+#include "call_watch.hpp"
 
 namespace tyndall::host {
 namespace fs = std::filesystem;
@@ -40,17 +41,6 @@ bool wholeLibrary(std::span<const std::byte> file) {
   return true;
 }
 
-/// A new folder that only this user can enter; empty if there is no place for one.
-fs::path privateFolder() {
-  std::error_code none;
-  for (const fs::path& parent : {fs::temp_directory_path(none), cacheFolder()}) {
-    if (parent.empty()) continue;
-    std::string name = (parent / "tyndall-plugin-XXXXXX").string();
-    if (::mkdtemp(name.data()) != nullptr) return name;
-  }
-  return {};
-}
-
 }  // namespace
 
 Result<FileIdentity> fileIdentity(const fs::path& path) {
@@ -70,30 +60,36 @@ Result<std::unique_ptr<Library>> Library::open(const fs::path& original) {
 
   std::unique_ptr<Library> library(new Library);
   library->identity_ = *identity;
-  library->folder_ = privateFolder();
-  if (library->folder_.empty())
-    return failed(original.string() + ": no temporary folder for the plugin's copy can be made; set TMPDIR to one");
-  const fs::path copy = library->folder_ / original.filename();
-  if (auto written = writeFileAtomically(copy, *bytes); !written) return written.error();
-  // RTLD_LOCAL: two plugins that share symbol names do not see each other's.
-  library->handle_ = ::dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library->handle_ == nullptr) {
-    const char* reason = ::dlerror();
-    std::string text = reason ? reason : "unknown reason";
-    // The loader names the copy; people know the original.
-    if (const auto at = text.find(copy.string()); at != std::string::npos)
-      text.replace(at, copy.string().size(), original.filename().string());
-    return failed(original.string() + ": cannot be loaded: " + text);
+  const PluginCall call("plugin '" + original.filename().string() + "'", "loading (constructors of static objects)");
+  std::string reasons;
+  /// True: there is nothing more to try.
+  const auto taken = [&](std::variant<LoadedCopy, NoCopy> tried) {
+    if (auto* loaded = std::get_if<LoadedCopy>(&tried)) {
+      library->copy_.emplace(std::move(*loaded));
+      return true;
+    }
+    const auto& failure = std::get<NoCopy>(tried);
+    if (failure.place)
+      reasons += (reasons.empty() ? "" : ", ") + failure.reason;
+    else
+      reasons = "cannot be loaded: " + failure.reason;
+    return !failure.place;
+  };
+  std::error_code none;
+  const bool done = taken(loadFromMemory(original, *bytes)) ||
+                    taken(loadFromFolder(fs::temp_directory_path(none), original, *bytes)) ||
+                    taken(loadFromFolder(cacheFolder(), original, *bytes));
+  if (!done) {
+    log::warning(
+        original.string() + ": is loaded in place, since no copy can be made (" + reasons +
+        "); it cannot be reloaded while this program runs; TMPDIR names a folder with room, not mounted noexec");
+    reasons.clear();
+    (void)taken(loadInPlace(original));
   }
+  if (!library->copy_) return failed(original.string() + ": " + reasons);
   return library;
 }
 
-Library::~Library() {
-  if (handle_ != nullptr) ::dlclose(handle_);
-  std::error_code none;
-  if (!folder_.empty()) fs::remove_all(folder_, none);
-}
-
-void* Library::symbol(const char* name) const { return ::dlsym(handle_, name); }
+void* Library::symbol(const char* name) const { return ::dlsym(copy_->handle, name); }
 
 }  // namespace tyndall::host

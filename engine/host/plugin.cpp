@@ -9,27 +9,76 @@ namespace tyndall::host {
 namespace fs = std::filesystem;
 namespace {
 
+void tell(std::uint32_t level, const std::string& line) {
+  if (level >= TY_LOG_ERROR)
+    log::error(line);
+  else if (level == TY_LOG_WARNING)
+    log::warning(line);
+  else if (level == TY_LOG_INFO)
+    log::info(line);
+  else
+    log::debug(line);
+}
+
 void logLine(void* context, std::uint32_t level, const char* line) {
   const auto text = readText(line, "a log line");
-  const std::string full =
-      *static_cast<const std::string*>(context) + (text ? *text : "gave a log line that is null or too long");
-  if (level >= TY_LOG_ERROR)
-    log::error(full);
-  else if (level == TY_LOG_WARNING)
-    log::warning(full);
-  else if (level == TY_LOG_INFO)
-    log::info(full);
-  else
-    log::debug(full);
+  static_cast<PluginLog*>(context)->line(level, text ? *text : "gave a log line that is null or too long");
 }
 
 const void* noExtension(void*, const char*) { return nullptr; }
 
 }  // namespace
 
+void PluginLog::line(std::uint32_t level, const std::string& text) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (holding_ && level >= TY_LOG_WARNING) {
+      held_.push_back({level, text});
+      PluginCall::heard(text);
+      return;
+    }
+  }
+  tell(level, prefix + text);
+}
+
+void PluginLog::hold() {
+  const std::lock_guard lock(mutex_);
+  holding_ = true;
+}
+
+void PluginLog::letGo() {
+  std::vector<Line> lines;
+  {
+    const std::lock_guard lock(mutex_);
+    holding_ = false;
+    lines.swap(held_);
+  }
+  for (const Line& line : lines) tell(line.level, prefix + line.text);
+}
+
+std::string PluginLog::reason() {
+  const std::lock_guard lock(mutex_);
+  holding_ = false;
+  std::string text;
+  for (const Line& line : std::exchange(held_, {})) text += (text.empty() ? ": " : "; ") + line.text;
+  return text.empty() ? " and gave no reason; a line by its host's log() would" : text;
+}
+
 Plugin::State::~State() {
-  if (instance != nullptr) plugin.destroy(instance);
-  if (initialised) plugin.shutdown();
+  if (instance != nullptr) destroy(instance);
+  if (!initialised) return;
+  const PluginCall call(called(), "shutdown()");
+  plugin.shutdown();
+}
+
+TyInstance* Plugin::State::create() {
+  const PluginCall call(called(), "create()");
+  return plugin.create();
+}
+
+void Plugin::State::destroy(TyInstance* made) {
+  const PluginCall call(called(), "destroy()");
+  plugin.destroy(made);
 }
 
 Result<std::unique_ptr<Plugin>> Plugin::load(const fs::path& path) {
@@ -49,23 +98,33 @@ Result<std::unique_ptr<Plugin>> Plugin::load(const fs::path& path) {
   state->name = *readText(state->plugin.name, "name");
   state->version = *readText(state->plugin.version, "version");
   state->doc = *readText(state->plugin.doc, "doc");
-  state->logPrefix = state->id + ": ";
+  state->log.prefix = state->id + ": ";
 
   state->host.struct_size = sizeof(TyHost);
   state->host.abi_version = TY_ABI_VERSION;
   state->host.name = "tyndall " TYNDALL_VERSION;
-  state->host.context = &state->logPrefix;
+  state->host.context = &state->log;
   state->host.log = logLine;
   state->host.get_extension = noExtension;
-  if (!state->plugin.init(&state->host))
-    return refuse("the plugin refused to start (its init failed; see its log line)");
-  state->initialised = true;
+  state->log.hold();
+  {
+    const PluginCall call(state->called(), "init()");
+    state->initialised = state->plugin.init(&state->host);
+  }
+  if (!state->initialised) return refuse("the plugin refused to start: its init failed" + state->log.reason());
+  state->log.letGo();
 
-  auto tables = readTables(state->plugin);
+  auto tables = [&] {
+    const PluginCall call(state->called(), "parameters() or techniques()");
+    return readTables(state->plugin);
+  }();
   if (!tables) return refuse(tables.error().message);
   state->tables = tables.take();
-  state->instance = state->plugin.create();
-  if (state->instance == nullptr) return refuse("the plugin could not be set up (its create failed; see its log line)");
+  state->log.hold();
+  state->instance = state->create();
+  if (state->instance == nullptr)
+    return refuse("the plugin could not be set up: its create failed" + state->log.reason());
+  state->log.letGo();
 
   std::unique_ptr<Plugin> plugin(new Plugin);
   plugin->state_ = std::move(state);
@@ -83,6 +142,7 @@ const std::vector<TechniqueInfo>& Plugin::techniques() const { return state_->ta
 std::uint32_t Plugin::selector() const { return state_->tables.selector; }
 
 bool Plugin::fileChanged() const {
+  if (state_->library->inPlace()) return false;  // it could not be reloaded
   const auto now = fileIdentity(state_->path);
   return now && *now != state_->library->identity();  // a missing file is one that is being rebuilt
 }

@@ -71,8 +71,8 @@ TEST(Load, refusesInOneLine) {
       {"newer_minor", "built for plugin ABI 1.3; this program takes 1.2"},
       {"zero_struct", "id"},
       {"no_symbol", "no symbol 'tyndall_plugin'"},
-      {"init_fails", "init failed"},
-      {"create_fails", "create failed"},
+      {"init_fails", "its init failed: I do not want to; not today"},
+      {"create_fails", "its create failed"},
       {"no_layout", "'layout' is missing"},
       {"bad_id", "'../variant'"},
       {"null_name", "name: is null"},
@@ -87,7 +87,9 @@ TEST(Load, refusesInOneLine) {
   };
   const std::size_t before = mappedPluginParts();
   for (const auto& [name, says] : cases) {
+    testing::internal::CaptureStderr();
     const auto plugin = Plugin::load(library(name));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "the refusal is the one line";
     ASSERT_FALSE(plugin) << name;
     EXPECT_THAT(plugin.error().message,
                 AllOf(StartsWith(library(name).string() + ": "), HasSubstr(says), Not(HasSubstr("\n"))))

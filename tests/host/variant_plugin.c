@@ -117,11 +117,35 @@ static const TyParameter kParameters[] = {
 #endif
 
 static const TyHost* g_host;
+#ifdef EXITS_WHEN_LOADED
+__attribute__((constructor)) static void early(void) { exit(0); }
+#endif
+#ifdef ENDLESS_STACK
+static int deeper(volatile int* from) {
+  volatile int here[1024] = {*from};
+  if (*from > 1000000000) return 0;
+  return deeper(here) + here[1];
+}
+#endif
 static bool init(const TyHost* host) {
   g_host = host;
 #ifdef INIT_FAILS
   host->log(host->context, TY_LOG_WARNING, "I do not\nwant to");
+  host->log(host->context, TY_LOG_ERROR, "not today");
   return false;
+#elif defined(EXITS)
+  host->log(host->context, TY_LOG_ERROR, "my data is missing");
+  exit(0);
+#elif defined(ABORTS)
+  abort();
+#elif defined(LOOPS)
+  volatile bool again = true;
+  while (again) {
+  }
+  return true;
+#elif defined(ENDLESS_STACK)
+  volatile int start = 0;
+  return deeper(&start) == 0;
 #else
   return host->struct_size >= sizeof(TyHost) && host->abi_version == TY_ABI_VERSION &&
          host->get_extension(host->context, "none") == NULL;
