@@ -2,6 +2,7 @@
 // views.
 #include <algorithm>
 
+#include "app/print.hpp"
 #include "app/session.hpp"
 #include "commands.hpp"
 #include "settings.hpp"
@@ -11,9 +12,9 @@ namespace tyndall::app {
 namespace {
 
 /// Views of the engine, then those of every technique of the effect, and what its automatic parameters stand for here.
-/// Without a device the latter two are left out with a note.
-std::vector<DebugViewText> debugViews(std::unique_ptr<Catalogue>& catalogue, const std::string& deviceName,
-                                      std::vector<AutomaticText>& automatics, std::vector<std::string>& notes) {
+/// Without a device the latter two are left out with a note; a device that was asked for by name has to be there.
+Result<std::vector<DebugViewText>> debugViews(std::unique_ptr<Catalogue>& catalogue, const std::string& deviceName,
+                                              std::vector<AutomaticText>& automatics, std::vector<std::string>& notes) {
   std::vector<DebugViewText> views;
   for (const render::DebugViewInfo& view : render::Renderer::debugViews())
     views.push_back({view.name, "engine", view.doc, {}});
@@ -21,6 +22,7 @@ std::vector<DebugViewText> debugViews(std::unique_ptr<Catalogue>& catalogue, con
   options.name = deviceName;
   auto device = gpu::Device::create(options);
   if (!device) {
+    if (!deviceName.empty() && device.error().kind == ErrorKind::kBadCall) return device.error();
     notes.push_back("the plugin's debug views are left out: " + device.error().message);
     return views;
   }
@@ -96,9 +98,10 @@ Result<void> runDescribe(const DescribeOptions& options) {
   if (!catalogue) return catalogue.error();
   std::vector<std::string> notes;
   std::vector<AutomaticText> automatics;
-  const std::vector<DebugViewText> views = debugViews(*catalogue, options.device, automatics, notes);
-  if (auto done = print(options.json ? describeJson(**catalogue, views, automatics)
-                                     : describeText(**catalogue, views, automatics));
+  auto views = debugViews(*catalogue, options.device, automatics, notes);
+  if (!views) return views.error();
+  if (auto done = print(options.json ? describeJson(**catalogue, *views, automatics)
+                                     : describeText(**catalogue, *views, automatics));
       !done)
     return done;
   tell((*catalogue)->warnings(), notes);

@@ -1,4 +1,5 @@
 #include "app/level.hpp"
+#include "app/print.hpp"
 #include "commands.hpp"
 #include "settings.hpp"
 

@@ -37,7 +37,7 @@ void addLevel(CLI::App& command, Given& given) {
 void addDevice(CLI::App& command, Given& given) {
   command
       .add_option("--device", given.device,
-                  "part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best")
+                  "an index, or a part of the name, of a device; instead of $TYNDALL_DEVICE or the best")
       ->type_name("TEXT");
 }
 

@@ -3,6 +3,7 @@
 #include "app/haze.hpp"
 #include "app/level.hpp"
 #include "app/outputs.hpp"
+#include "app/print.hpp"
 #include "app/values.hpp"
 #include "commands.hpp"
 #include "render_files.hpp"
@@ -46,11 +47,13 @@ Result<void> runRender(const RenderOptions& options) {
 
   std::vector<std::string> told = warnings;
   told.insert(told.end(), notes.begin(), notes.end());
-  if (auto written = writeRenderFiles(outputs, *run, statsJson(options, session, *run, told)); !written) return written;
-  tell(warnings, notes);
   std::string text = statsTable(options, session, *run);
   for (const std::filesystem::path& file : outputs.paths()) text += file.string() + "\n";
-  return print(text);
+  auto written =
+      writeRenderFiles(outputs, *run, statsJson(options, session, *run, told), [&text] { return print(text); });
+  if (!written) return written;
+  tell(warnings, notes);
+  return {};
 }
 
 }  // namespace tyndall::app

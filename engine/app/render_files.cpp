@@ -26,7 +26,8 @@ Result<void> addRenderFiles(Outputs& outputs, const RenderOptions& options, cons
   return {};
 }
 
-Result<void> writeRenderFiles(Outputs& outputs, const RenderRun& run, const std::string& stats) {
+Result<void> writeRenderFiles(Outputs& outputs, const RenderRun& run, const std::string& stats,
+                              const std::function<Result<void>()>& tell) {
   const Readback& readback = run.readback;
   using Path = std::filesystem::path;
   if (auto done = outputs.write("--out", [&](const Path& p) { return image::writePng(p, readback.picture()); }); !done)
@@ -46,7 +47,7 @@ Result<void> writeRenderFiles(Outputs& outputs, const RenderRun& run, const std:
   if (auto done = outputs.write("--view-exr", writeView); !done) return done;
   if (auto done = outputs.write("--stats", [&](const Path& p) { return writeTextAtomically(p, stats); }); !done)
     return done;
-  return outputs.commit();
+  return outputs.commit(tell);
 }
 
 }  // namespace tyndall::app

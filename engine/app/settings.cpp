@@ -2,9 +2,7 @@
 
 #include "app/presets.hpp"
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 
 #include "base/file.hpp"
 
@@ -37,13 +35,6 @@ std::string oneLine(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
   return text;
-}
-
-Result<void> print(const std::string& text) {
-  errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    return failed(std::string("standard output: cannot be written: ") + std::strerror(errno));
-  return {};
 }
 
 }  // namespace tyndall::app

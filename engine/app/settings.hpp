@@ -18,7 +18,5 @@ Result<std::unique_ptr<Catalogue>> loadSettings(const SettingsOptions& options);
 void tell(const std::vector<std::string>& warnings, const std::vector<std::string>& notes);
 /// The text in one line: control characters (line feeds in a file's name, say) become '?'.
 std::string oneLine(std::string text);
-/// Writes a result to stdout; an error when stdout takes no more.
-Result<void> print(const std::string& text);
 
 }  // namespace tyndall::app

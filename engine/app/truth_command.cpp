@@ -1,6 +1,7 @@
 // tyndall truth: the ray-traced reference. No GPU; the plugin is loaded for its parameter table only.
 #include "app/level.hpp"
 #include "app/outputs.hpp"
+#include "app/print.hpp"
 #include "app/values.hpp"
 #include "commands.hpp"
 #include "settings.hpp"
@@ -66,14 +67,13 @@ Result<void> runTruth(const TruthOptions& options) {
                                 });
       !done)
     return done;
-  if (auto done = outputs.commit(); !done) return done;
-
+  std::string text;
+  for (const Path& file : outputs.paths()) text += file.string() + "\n";
+  if (auto done = outputs.commit([&text] { return print(text); }); !done) return done;
   std::vector<std::string> warnings = (*catalogue)->warnings();
   warnings.insert(warnings.end(), level->warnings.begin(), level->warnings.end());
   tell(warnings, level->notes);
-  std::string text;
-  for (const Path& file : outputs.paths()) text += file.string() + "\n";
-  return print(text);
+  return {};
 }
 
 }  // namespace tyndall::app

@@ -1,10 +1,11 @@
 // The program `tyndall`: reads the command line, runs one command, turns its Result into an exit status.
 // 0 done; 1 it failed; 2 the call was wrong. A failure is one line on stderr.
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 
+#include "app/print.hpp"
+#include "base/process.hpp"
 #include "commands.hpp"
 #include "settings.hpp"
 
@@ -26,6 +27,7 @@ Result<void> run(const Options& options) {
 }
 
 int exitStatus(const Error& error) {
+  if (error.kind == ErrorKind::kUnread) return 1;
   std::fprintf(stderr, "tyndall: %s\n", oneLine(error.message).c_str());
   return error.kind == ErrorKind::kBadCall ? 2 : 1;
 }
@@ -35,8 +37,7 @@ int exitStatus(const Error& error) {
 
 int main(int argc, char** argv) try {
   using namespace tyndall::app;
-  // A file that may grow no further is an error of the write that hit the limit, not the program's death.
-  std::signal(SIGXFSZ, SIG_IGN);
+  tyndall::prepareProcess();
   auto options = readOptions(argc, argv);
   if (!options) return exitStatus(options.error());
   auto done = run(*options);
