@@ -9,12 +9,17 @@
 
 #include "app/catalogue.hpp"
 #include "app/level.hpp"
+#include "app/outputs.hpp"
+#include "app/print.hpp"
 #include "base/file.hpp"
+#include "base/file_set.hpp"
 #include "bench/campaign.hpp"
 #include "bench/report.hpp"
 
 namespace tyndall::bench {
 namespace {
+
+constexpr const char* kFiles[] = {"results.json", "results.csv", "report.html"};
 
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
@@ -78,11 +83,21 @@ Result<void> writeReport(const std::string& json, const std::filesystem::path& p
   return writeTextAtomically(path, *html);
 }
 
+/// All three of one state of the results, or those of the state before.
 Result<void> writeAll(const Results& results, const std::filesystem::path& folder) {
   const std::string json = resultsJson(results);
-  if (auto done = writeTextAtomically(folder / "results.json", json); !done) return done;
-  if (auto done = writeTextAtomically(folder / "results.csv", resultsCsv(results)); !done) return done;
-  return writeReport(json, folder / "report.html");
+  auto html = reportHtml(json);
+  if (!html) return failed("the report: " + html.error().message);
+  FileSet files;
+  for (const auto& [name, text] : {std::pair<const char*, const std::string&>{kFiles[0], json},
+                                   {kFiles[1], resultsCsv(results)},
+                                   {kFiles[2], *html}}) {
+    const auto temporary = files.stage(folder / name, (folder / name).string());
+    if (!temporary) return temporary.error();
+    if (auto done = writeTextAtomically(*temporary, text); !done)
+      return Error{(folder / name).string() + ": " + done.error().message, done.error().kind};
+  }
+  return files.place();
 }
 
 Result<void> compare(const std::vector<std::filesystem::path>& files) {
@@ -92,11 +107,8 @@ Result<void> compare(const std::vector<std::filesystem::path>& files) {
   if (!a) return Error{"--compare " + a.error().message, a.error().kind};
   auto b = readFileOfResults(files[1]);
   if (!b) return Error{"--compare " + b.error().message, b.error().kind};
-  const std::string text = "a: " + files[0].string() + ", " + a->device + "\nb: " + files[1].string() + ", " +
-                           b->device + "\n" + compareResults(*a, *b);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    return failed("standard output: cannot be written");
-  return {};
+  return app::print("a: " + files[0].string() + ", " + a->device + "\nb: " + files[1].string() + ", " + b->device +
+                    "\n" + compareResults(*a, *b));
 }
 
 /// Results that lie in the folder and were measured the same way, or new ones.
@@ -146,6 +158,12 @@ Result<void> measure(const app::BenchOptions& options) {
   std::error_code bad;
   std::filesystem::create_directories(folder, bad);
   if (bad) return failed("--out " + folder.string() + ": cannot be made: " + bad.message());
+  // Before anything is measured: what would stand in the way of the results, and what they would destroy.
+  app::Outputs outputs;
+  outputs.protect(options.sweep);
+  for (const char* name : kFiles)
+    if (auto free = outputs.add("--out", folder / name, std::filesystem::path(name).extension().string()); !free)
+      return free;
 
   auto catalogue = app::Catalogue::load(app::pluginFolder(options.pluginFolder));
   if (!catalogue) return catalogue.error();
@@ -203,10 +221,12 @@ Result<void> measure(const app::BenchOptions& options) {
   }
   std::signal(SIGINT, earlier);
   if (!outcome) return outcome;
-  const std::string text = (folder / "results.json").string() + "\n" + (folder / "results.csv").string() + "\n" +
-                           (folder / "report.html").string() + "\n";
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    return failed("standard output: cannot be written");
+  std::string text;
+  for (const char* name : kFiles) text += (folder / name).string() + "\n";
+  // Hours of measuring that were kept view by view are not taken back because nobody reads where they lie.
+  if (auto printed = app::print(text); !printed && printed.error().kind != ErrorKind::kUnread)
+    std::fprintf(stderr, "tyndall: warning: bench: %s; the results are kept in %s\n", printed.error().message.c_str(),
+                 folder.c_str());
   return {};
 }
 
@@ -220,8 +240,12 @@ Result<void> runBench(const BenchOptions& options) {
   if (!options.report.empty()) {
     auto text = readText(options.report, 1u << 30);
     if (!text) return Error{"--report " + text.error().message, text.error().kind};
-    return bench::writeReport(
-        *text, options.out.empty() ? options.report.parent_path() / "report.html" : options.out / "report.html");
+    const std::filesystem::path report =
+        (options.out.empty() ? options.report.parent_path() : options.out) / "report.html";
+    Outputs outputs;
+    outputs.protect(options.report);
+    if (auto added = outputs.add("--report", report, ".html"); !added) return added;
+    return bench::writeReport(*text, report);
   }
   return bench::measure(options);
 }

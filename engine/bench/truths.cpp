@@ -91,10 +91,10 @@ Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, 
   const std::uint64_t hash = Hash().bytes(*bytes).text(key).value();
   char name[32];
   std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hash));
-  const std::filesystem::path folder = cacheFolder() / "truths";
+  const std::filesystem::path cache = cacheFolder(), folder = cache / "truths";
   const auto scatterFile = folder / (std::string(name) + "-scatter.exr"),
              distanceFile = folder / (std::string(name) + "-distance.exr");
-  if (std::filesystem::exists(scatterFile) && std::filesystem::exists(distanceFile)) {
+  if (!cache.empty() && std::filesystem::exists(scatterFile) && std::filesystem::exists(distanceFile)) {
     auto scatter = image::readExr(scatterFile);
     auto distance = image::readExr(distanceFile);
     if (scatter && distance && scatter->channels == 4 && distance->channels == 1 && scatter->width == size.first &&
@@ -113,6 +113,7 @@ Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, 
   Truth made{{size.first, size.second, 4, {}}, std::move(picture->distance)};
   for (const glm::vec4& p : picture->scatter)
     made.scatter.values.insert(made.scatter.values.end(), {p.r, p.g, p.b, p.a});
+  if (cache.empty()) return made;
   std::error_code none;
   std::filesystem::create_directories(folder, none);
   if (!none && image::writeExr(scatterFile, made.scatter))

@@ -5,6 +5,7 @@
 #include "app/catalogue.hpp"
 #include "app/level.hpp"
 #include "app/outputs.hpp"
+#include "app/print.hpp"
 #include "base/file.hpp"
 #include "bench/statistics.hpp"
 #include "tune_search.hpp"
@@ -22,6 +23,7 @@ Result<void> runTune(const TuneOptions& options) {
   if (!path) return path.error();
   Outputs outputs;
   outputs.protect(*path);
+  if (!options.candidates.empty()) outputs.protect(options.candidates);
   if (!options.out.empty())
     if (auto added = outputs.add("--out", options.out, ".json"); !added) return added;
   std::vector<bench::Sweep> fields;
@@ -96,11 +98,9 @@ Result<void> runTune(const TuneOptions& options) {
           outputs.write("--out", [&](const std::filesystem::path& p) { return writeTextAtomically(p, preset); });
       !done)
     return done;
-  if (auto done = outputs.commit(); !done) return done;
-  std::fprintf(stderr, "tyndall: tune: %s: %s\n", figures, search.best().text().c_str());
   const std::string shown = options.out.empty() ? preset : options.out.string() + "\n";
-  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size() || std::fflush(stdout) != 0)
-    return failed("standard output: cannot be written");
+  if (auto done = outputs.commit([&shown] { return print(shown); }); !done) return done;
+  std::fprintf(stderr, "tyndall: tune: %s: %s\n", figures, search.best().text().c_str());
   return {};
 }
 
