@@ -1,11 +1,11 @@
 // The program `tyndall-editor`. Exit status: 0 done; 1 it failed; 2 the call was wrong. A failure is one line on
 // stderr.
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
 
+#include "base/process.hpp"
 #include "editor.hpp"
 #include "options.hpp"
 
@@ -34,8 +34,7 @@ int run(int argc, char** argv) {
 }  // namespace tyndall::editor
 
 int main(int argc, char** argv) try {
-  // A file that may grow no further is an error of the write that hit the limit, not the program's death.
-  std::signal(SIGXFSZ, SIG_IGN);
+  tyndall::prepareProcess();
   return tyndall::editor::run(argc, argv);
 } catch (const std::bad_alloc&) {
   std::fputs("tyndall-editor: out of memory; a smaller --size or level is needed\n", stderr);

@@ -76,7 +76,7 @@ const char* helpText() {
          "  --stress N           N steps of random use in place of a user's: parameters, sizes, levels, views, "
          "reloads, faults; then a report\n"
          "  --seed S             another random use [1]\n"
-         "  --device TEXT        part of a device's name, or its index; instead of $TYNDALL_DEVICE or the best\n"
+         "  --device TEXT        an index, or a part of the name, of a device; instead of $TYNDALL_DEVICE or the best\n"
          "  --validate           validation layer with synchronization validation; any message makes the exit status "
          "1\n";
 }
