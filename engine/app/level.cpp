@@ -60,7 +60,11 @@ Result<Level> loadLevel(std::string_view text) {
   for (const std::string& warning : import->warnings) level.warnings.push_back(path->string() + ": " + warning);
   const auto world = level.worldFromNode(0);
   if (scene::placedCameras(level.scene, world).empty())
-    level.notes.push_back(path->string() + ": has no perspective camera; one that frames the level is used");
+    level.notes.push_back(path->string() +
+                          (level.scene.orthographicCameras > 0
+                               ? ": has orthographic cameras only, which are not supported yet and left out"
+                               : ": has no perspective camera") +
+                          "; one that frames the level is used");
   if (scene::placedLights(level.scene, world).empty())
     level.notes.push_back(path->string() + ": has no light; a default sun is used");
   return level;

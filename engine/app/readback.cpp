@@ -45,8 +45,7 @@ Result<void> Readback::addPasses(Session& session, render::Graph& graph, const r
   if (wants.scatter && output.scatter)
     if (auto done = copy(session, graph, "read scatter", output.scatter, 16, scatter_); !done) return done;
   if (wants.distance) {
-    const render::View view = render::makeView(request.camera, width_, height_);
-    const render::ImageRef distance = session.renderer().addDistance(graph, view, output.depth);
+    const render::ImageRef distance = session.renderer().addDistance(graph, output.view, output.depth);
     if (auto done = copy(session, graph, "read distance", distance, 4, distance_); !done) return done;
   }
   return {};

@@ -72,7 +72,9 @@ Result<void> runTruth(const TruthOptions& options) {
   if (auto done = outputs.commit([&text] { return print(text); }); !done) return done;
   std::vector<std::string> warnings = (*catalogue)->warnings();
   warnings.insert(warnings.end(), level->warnings.begin(), level->warnings.end());
-  tell(warnings, level->notes);
+  std::vector<std::string> notes = level->notes;
+  if (std::string far = scene::roundingNote(*camera); !far.empty()) notes.push_back(std::move(far));
+  tell(warnings, notes);
   return {};
 }
 

@@ -87,6 +87,8 @@ Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, 
     const std::size_t length = std::char_traits<char>::length(key);
     if (degrees != 0) std::snprintf(key + length, sizeof key - length, " %s %.9g", what, degrees);
   };
+  // A camera without a far plane sees as far as the level reaches, which truths of the same key did not before.
+  append("reach", view->camera.zfar ? 0 : 1);
   append("turned", turn.yaw), append("raised", turn.pitch);
   const std::uint64_t hash = Hash().bytes(*bytes).text(key).value();
   char name[32];

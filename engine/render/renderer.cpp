@@ -103,7 +103,9 @@ double shadowTexelBytes(const FrameData& frame) {
 
 Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) {
   auto frame = std::make_shared<FrameData>();
-  frame->view = makeView(input.camera, input.width, input.height);
+  frame->view =
+      makeView(input.camera, input.width, input.height,
+               input.camera.camera.zfar ? scene::Bounds{} : scene::worldBounds(input.scene, input.worldFromNode));
   frame->view.seconds = input.seconds;
   frame->view.frameIndex = input.frameIndex;
   frame->clipFromWorld = glm::mat4(glm::dmat4(frame->view.clipFromView) * glm::dmat4(frame->view.viewFromWorld));
@@ -184,6 +186,7 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
   if (Result<void> r = addTransparentPass(graph, tools, frame); !r) return r.error();
 
   FrameOutput output;
+  output.view = frame->view;
   output.depth = frame->depth;
   output.color = frame->color;
   if (input.effect) {
@@ -241,6 +244,7 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
     output.views.push_back(*view);
   }
   state_->notes = frame->plan.notes;
+  if (std::string far = scene::roundingNote(input.camera); !far.empty()) state_->notes.push_back(std::move(far));
   return output;
 }
 

@@ -6,13 +6,13 @@
 
 namespace tyndall::render {
 
-View makeView(const scene::CameraView& camera, std::uint32_t width, std::uint32_t height) {
+View makeView(const scene::CameraView& camera, std::uint32_t width, std::uint32_t height, const scene::Bounds& level) {
   TY_ASSERT(width > 0 && height > 0, "a view of " + std::to_string(width) + "x" + std::to_string(height));
   View view;
   view.width = width;
   view.height = height;
   view.znear = camera.camera.znear;
-  view.zfar = camera.camera.zfar.value_or(scene::kDefaultFar);
+  view.zfar = scene::farPlane(camera, level);
   TY_ASSERT(view.znear > 0 && view.zfar > view.znear,
             "planes at " + std::to_string(view.znear) + " and " + std::to_string(view.zfar) + " m");
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "image_decode.hpp"
 #include "parse_gltf.hpp"
@@ -246,6 +247,9 @@ std::optional<Camera> camera(const tinygltf::Camera& in) {
   if (in.type != "perspective") return {};
   Camera out{in.name, static_cast<float>(in.perspective.yfov), static_cast<float>(in.perspective.znear), {}};
   if (in.perspective.zfar > 0) out.zfar = static_cast<float>(in.perspective.zfar);
+  // Two planes that only a double tells apart stay two.
+  if (in.perspective.zfar > in.perspective.znear && *out.zfar <= out.znear)
+    out.zfar = std::nextafter(out.znear, std::numeric_limits<float>::max());
   return out;
 }
 

@@ -98,7 +98,8 @@ struct Attachments {
     if (index == kNone) return;
     const std::string name = element("cameras", index);
     if (!document.cameras[index]) {
-      warnings.add(name + " is orthographic and was left out");
+      warnings.add(name + " is orthographic and was left out; only perspective cameras are read so far");
+      ++scene.orthographicCameras;
       index = kNone;
       return;
     }

@@ -2,7 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
 
+#include "scene/limits.hpp"
 #include "scene/scene.hpp"
 
 namespace tyndall::scene {
@@ -39,6 +43,37 @@ std::vector<CameraView> placedCameras(const Scene& scene, const std::vector<glm:
                    scene.nodes[i].name.empty() ? camera.name : scene.nodes[i].name});
   }
   return out;
+}
+
+float farPlane(const CameraView& view, const Bounds& level) {
+  // As much air as a small level's sky has; behind the farthest corner by more than a float's rounding, so that what
+  // lies there is not cut; a near plane beyond the level still has something before it.
+  constexpr double kLeastFar = 1000, kBehindLevel = 1.001, kLeastDepth = 2;
+  // A level is no larger (scene/limits.hpp); what an animation yields may be.
+  constexpr double kMostFar = 4.0 * kMaxExtent;
+  if (view.camera.zfar) return *view.camera.zfar;
+  double farthest = 0;
+  if (!level.empty()) {
+    const glm::dvec3 eye(view.worldFromView[3]);
+    farthest = glm::length(glm::max(glm::abs(glm::dvec3(level.min) - eye), glm::abs(glm::dvec3(level.max) - eye)));
+  }
+  const double reach = std::min(std::max(kLeastFar, kBehindLevel * farthest), kMostFar);
+  return static_cast<float>(std::max(reach, kLeastDepth * double{view.camera.znear}));
+}
+
+std::string roundingNote(const CameraView& view) {
+  // Shadow maps of ordinary levels resolve some millimetres: coarser steps of the positions are seen.
+  constexpr float kSeenStep = 0.005f;
+  const glm::vec3 eye = glm::abs(glm::vec3(view.worldFromView[3]));
+  const float farthest = std::max({eye.x, eye.y, eye.z});
+  const float step = std::nextafter(farthest, std::numeric_limits<float>::max()) - farthest;
+  if (step < kSeenStep) return {};
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "camera: it is %.0f km from the origin, where positions are rounded to %.0f mm, which shadows and "
+                "surfaces show; a level that is moved nearer to the origin does not",
+                farthest / 1e3, step * 1e3);
+  return text;
 }
 
 CameraView framingCamera(const Bounds& bounds) {

@@ -34,9 +34,8 @@ Result<void> check(const Settings& settings) {
   return {};
 }
 
-Result<void> check(const scene::CameraView& view) {
+Result<void> check(const scene::CameraView& view, float far) {
   const scene::Camera& c = view.camera;
-  const float far = c.zfar.value_or(scene::kDefaultFar);
   const bool right = c.yfov > 0 && c.yfov < 3.1415926f && c.znear > 0 && far > c.znear && std::isfinite(far);
   if (right) return {};
   return failed("camera " + view.name + ": yfov " + std::to_string(c.yfov) + ", znear " + std::to_string(c.znear) +
@@ -80,7 +79,10 @@ struct Lamp {
 Result<Picture> render(const scene::Scene& scene, const scene::CameraView& camera,
                        const std::vector<scene::LightView>& lights, const Settings& settings) {
   if (auto checked = check(settings); !checked) return checked.error();
-  if (auto checked = check(camera); !checked) return checked.error();
+  const scene::Bounds level =
+      camera.camera.zfar ? scene::Bounds{} : scene::worldBounds(scene, scene::worldMatrices(scene, settings.seconds));
+  const float farPlane = scene::farPlane(camera, level);
+  if (auto checked = check(camera, farPlane); !checked) return checked.error();
   const Lens lens(camera, settings.width, settings.height);
   auto built = Occluders::build(scene, settings.seconds, lens.eye(), settings.threads);
   if (!built) return built.error();
@@ -99,7 +101,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::CameraView& camer
 
   const Medium& medium = settings.medium;
   const double sigma_s = medium.albedo * medium.sigma_t;
-  const double zfar = camera.camera.zfar.value_or(scene::kDefaultFar);
+  const double zfar = farPlane;
   Picture picture{settings.width, settings.height, {}, {}};
   picture.scatter.resize(std::size_t{settings.width} * settings.height);
   picture.distance.resize(picture.scatter.size());

@@ -29,7 +29,9 @@ struct View {
   double seconds = 0;
   std::uint64_t frameIndex = 0;
 };
-View makeView(const scene::CameraView& camera, std::uint32_t width, std::uint32_t height);
+/// `level` is the box of everything in the level, of which only cameras without a far plane need to know.
+View makeView(const scene::CameraView& camera, std::uint32_t width, std::uint32_t height,
+              const scene::Bounds& level = {});
 
 /// A light with its shadow map, as effects see it. Depth stored: 0 nearest the light, 1 where nothing was drawn.
 struct ShadowedLight {
@@ -127,6 +129,7 @@ struct Metered {
 };
 
 struct FrameOutput {
+  View view;                             ///< what the frame was drawn with
   ImageRef picture;                      ///< RGBA8 unorm, sRGB-coded
   ImageRef scatter;                      ///< RGBA32F, empty when the effect had nothing to do
   ImageRef depth;                        ///< D32, reversed

@@ -125,9 +125,8 @@ struct Camera {
   std::string name;
   float yfov = 0.9f;          ///< vertical field of view, radians, (0, pi)
   float znear = 0.1f;         ///< metres, > 0
-  std::optional<float> zfar;  ///< metres, > znear; absent: 1000 m (kDefaultFar)
+  std::optional<float> zfar;  ///< metres, > znear; absent: infinite, see farPlane()
 };
-inline constexpr float kDefaultFar = 1000.0f;
 
 enum class LightKind { kDirectional, kSpot, kPoint };
 
@@ -185,6 +184,7 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<Image> images;
   std::vector<Camera> cameras;
+  std::uint32_t orthographicCameras = 0;  ///< nodes of the file that have one: not read so far, left out
   std::vector<Light> lights;
   std::vector<Animation> animations;
 };
@@ -203,6 +203,16 @@ struct CameraView {
 };
 /// All perspective cameras, in the order that the file lists their nodes (Node::order).
 std::vector<CameraView> placedCameras(const Scene& scene, const std::vector<glm::mat4>& worldFromNode);
+
+/// Where view rays end that meet nothing, metres along the optical axis: the camera's own far plane. One that has none
+/// sees infinitely far; its air has to end somewhere, and does so behind the farthest point of `level`, the box of
+/// everything in it, but no nearer than 1000 m. It does not depend on where the camera looks, so that air does not
+/// change as it turns. Always finite and beyond znear.
+float farPlane(const CameraView& view, const Bounds& level);
+
+/// A line about a camera so far from the origin that the rounding of float positions around it is seen in shadows and
+/// surfaces; empty for all others.
+std::string roundingNote(const CameraView& view);
 
 /// A camera that frames `bounds` from a raised three-quarter view; used when a file has none.
 CameraView framingCamera(const Bounds& bounds);
