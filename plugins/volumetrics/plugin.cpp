@@ -15,6 +15,7 @@ struct TyInstance {
   std::uint32_t localLightsReported = 0;
   bool cookiesReported = false;
   bool linearImpossible = false;  ///< as last reported
+  bool linearHandsOver = false;   ///< as last reported
   bool linearCookie = false;      ///< as last reported
   bool momentsMissing = false;    ///< as last reported
   bool scanImpossible = false;    ///< as last reported
@@ -128,6 +129,11 @@ bool prepare(TyInstance* instance, const TyFrame* frame, const TyUniformData* ou
         "volumetrics.rectification=linear: no projective map exists while the light or its antipode is in view; "
         "the epipolar one is used until it does");
   instance->linearImpossible = report.linearImpossible;
+  if (report.linearHandsOver && !instance->linearHandsOver)
+    say(TY_LOG_WARNING,
+        "volumetrics.rectification=linear: the light or its antipode is so near the screen, or the columns are so few, "
+        "that the projective map degenerates; the epipolar one takes over in part or wholly until it does not");
+  instance->linearHandsOver = report.linearHandsOver;
   if (report.linearCookie && !instance->linearCookie)
     say(TY_LOG_WARNING,
         "volumetrics.rectification=linear: a sun with a cookie is visible all along a ray, which projective maps do "

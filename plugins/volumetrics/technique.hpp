@@ -46,6 +46,7 @@ struct LayoutRoles {
 /// What a prepare() has to tell people, once.
 struct FrameReport {
   bool linearImpossible = false;  ///< rectification=linear, but no projective map exists for this view
+  bool linearHandsOver = false;   ///< rectification=linear, but its map is near its singularity
   bool linearCookie = false;      ///< rectification=linear, but a sun has a cookie
 };
 

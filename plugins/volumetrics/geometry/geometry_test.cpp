@@ -281,6 +281,45 @@ TEST(LinearFrame, ItsShareFallsFromAllToNone) {
   EXPECT_EQ(linearShare(frame), 1);
 }
 
+// Cameras that turn until the light, or its antipode, comes on the screen, past an edge or a corner of it: where the
+// projective map still has a share, its slices, depths and columns are bounded, and the share never jumps, also not to
+// where there is no map at all.
+TEST(LinearFrame, HoldsOnlyWhereItIsWellConditionedAndLetsGoSmoothly) {
+  int held = 0, faded = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    Scenario s(seed);
+    const glm::dvec3 towards(s.input.towards), axis = s.direction();
+    const std::uint32_t splits = 1 + seed % 4;
+    double before = -1;
+    for (double turn = 0; turn < 2 * std::numbers::pi; turn += 0.001) {
+      // Rodrigues' rotation of the light about the camera, which says the same as a turn of the camera.
+      const glm::dvec3 turned = towards * std::cos(turn) + glm::cross(axis, towards) * std::sin(turn) +
+                                axis * glm::dot(axis, towards) * (1 - std::cos(turn));
+      s.input.towards = glm::vec3(glm::normalize(turned));
+      const auto frame = linearFrame(s.input, splits);
+      // Casters that come into the region of sight, or leave it, are another matter than the singularity.
+      const double share = !frame ? 0.0 : frame->block.polygonCount == 0 ? -1.0 : linearHold(*frame);
+      if (share >= 0 && before >= 0 && frame) {
+        EXPECT_LT(std::abs(share - before), 0.15) << seed << ' ' << turn;
+      }
+      if (share > 0) {
+        ++held;
+        faded += share < 1 ? 1 : 0;
+        const RectificationBlock& block = frame->block;
+        EXPECT_LT(frame->widestSlice, 20) << seed << ' ' << turn;
+        EXPECT_LT(1 / block.rasterScale, 60) << seed << ' ' << turn;
+        const double first = 1 / block.inverse[splits - 1], last = 1 / block.inverse[splits];
+        const double column = last - 1 / (1 / last + (1 / first - 1 / last) / block.columns);
+        EXPECT_LT(column, 0.91 * (last - 1 / block.inverse[0])) << seed << ' ' << turn;
+        EXPECT_LE(linearShare(*frame), share);
+      }
+      before = share;
+    }
+  }
+  EXPECT_GT(held, 1000);
+  EXPECT_GT(faded, 300);
+}
+
 TEST(LinearFrame, AConstantGrowthFactorFallsShort) {
   const double near = 0.1, far = 90;
   const int columns = 1024;

@@ -17,6 +17,13 @@ constexpr double kLongestColumn = 4, kWidestSlice = 1.4;
 /// at least are six degrees.
 constexpr double kColumnFade = 0.35, kSliceFade = 0.07;
 
+/// linear: condition below which the projective map has no share, and above which it has all; the same for the share
+/// of the longest column, the other way round. Found by turning a camera until the sun comes on the screen: with one
+/// map the error rises from 0.07 (share 0.7) to 0.1 (0.85), 0.16 (0.9) and 0.8 (0.97), with four it is below 0.01 until
+/// the condition is 0.01, where depths and slices give way. The bounds lie well before that, and some degrees apart.
+constexpr double kLeastCondition = 0.04, kGoodCondition = 0.1;
+constexpr double kMostInOneColumn = 0.9, kGoodInOneColumn = 0.75;
+
 /// Direction in the middle of the two projected corners that span the largest angle; none if that is too large.
 std::optional<glm::dvec2> bisectrix(const std::array<glm::dvec2, 4>& corners) {
   double largest = -1;
@@ -107,6 +114,7 @@ std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uin
     const double x = glm::dot(q, e1);
     if (x <= 1e-6) return std::nullopt;
     nearest = std::min(nearest, x * input.rays.znear);
+    frame.condition = std::min(frame.condition, x / glm::length(q));
     tanMin = std::min(tanMin, glm::dot(q, e2) / x);
     tanMax = std::max(tanMax, glm::dot(q, e2) / x);
     depthMin = std::min(depthMin, -glm::dot(q, axis) / x);
@@ -143,13 +151,21 @@ std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uin
     frame.clipFromWorld[i] = clipMatrix(input, block, near, far);
     frame.longestColumn = std::max(frame.longestColumn, borders[i + 1] - 1 / (far + (near - far) / input.columns));
   }
+  frame.longestShare = frame.longestColumn / (last - first);
   return frame;
+}
+
+double linearHold(const LinearFrame& frame) {
+  const double condition = (frame.condition - kLeastCondition) / (kGoodCondition - kLeastCondition);
+  const double columns = (kMostInOneColumn - frame.longestShare) / (kMostInOneColumn - kGoodInOneColumn);
+  return std::clamp(std::min(condition, columns), 0.0, 1.0);
 }
 
 double linearShare(const LinearFrame& frame) {
   const double columns =
       frame.evenColumn > 0 ? (kLongestColumn - frame.longestColumn / frame.evenColumn) / kColumnFade : 1;
-  return std::clamp(std::min(columns, (kWidestSlice - frame.widestSlice) / kSliceFade), 0.0, 1.0);
+  const double even = std::clamp(std::min(columns, (kWidestSlice - frame.widestSlice) / kSliceFade), 0.0, 1.0);
+  return std::min(even, linearHold(frame));
 }
 
 }  // namespace volumetrics

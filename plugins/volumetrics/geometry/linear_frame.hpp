@@ -19,6 +19,12 @@ struct LinearFrame {
   double longestColumn = 0, evenColumn = 0;
   /// Angle of the widest slice, in the middle, over that of one if all were equal.
   double widestSlice = 1;
+  /// Condition: the least length along e1 of the unit directions to the screen's corners. It falls to 0 where no
+  /// projective map exists: a corner looks along the light, or the view spans half a circle. Slices are at most some
+  /// 1/condition as wide as even ones, depths span at most 2/condition, and columns begin at condition times znear.
+  double condition = 1;
+  /// The longest column of all, the last of each split, over the length of all together: at 1 a map has one column.
+  double longestShare = 0;
 };
 
 /// Borders along e1, m, of `splits` maps over [first, last], 0 < first < last, whose last columns, of `columns` each,
@@ -28,6 +34,11 @@ std::array<double, kMaxSplits + 1> splitBorders(double first, double last, std::
 /// None where no projective map exists: the light or its antipode is in view, or the view spans (nearly) 180 degrees
 /// seen along the light. `splits` is 1...4; their borders make the last columns of all as short as they can be.
 std::optional<LinearFrame> linearFrame(const RectificationInput& input, std::uint32_t splits);
+
+/// The share of the light, 0...1, that the projective map can answer for at all, which is the rule of
+/// rectification=linear: all, but where the map is so ill-conditioned, or has so much of its length in one column, that
+/// the epipolar one has to take over. Between, a camera turns some degrees, in which one map fades into the other.
+double linearHold(const LinearFrame& frame);
 
 /// The rule of rectification=auto: the share of the light, 0...1, that the projective map answers for. None if the last
 /// column of a split is longer than four epipolar ones or a slice wider than 1.4; all if they are well below; between,

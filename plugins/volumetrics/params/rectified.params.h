@@ -11,7 +11,8 @@
        "epipolar resamples the shadow map; auto takes linear where its columns and slices are even enough and the "    \
        "light is off the "                                                                                             \
        "screen, and on the way there, some six degrees of a turn, fades one map into the other, for the time of "      \
-       "both. Where no projective map exists (the light or its antipode in view), linear uses epipolar and says so.")  \
+       "both. Where no projective map exists (the light or its antipode in view), or is near to degenerate, linear "   \
+       "fades into epipolar and says so.")                                                                             \
   INT(splits, "volumetrics.splits", "Splits", 1, 1, 4, 1, 4, "maps", TY_PARAMETER_STRUCTURAL,                          \
       "Maps of growing size that the linear rectification is split into, each of columns x slices texels. An "         \
       "epipolar map that stands "                                                                                      \

@@ -97,7 +97,7 @@ struct RectificationBlock {
   uint segmentsByDistance;  // 1: an epipolar map in place of projective ones; its parts begin where theirs do, at these
                             // distances
   float segmentDistance[kMaxSegments + 1u];  // along e1, m, and each slice has its own columns there
-  float share;   // of the light that this map answers for: 1, but where rectification=auto fades one map into another
+  float share;   // of the light that this map answers for: 1, but where one map fades into another
   uint nearLit;  // 1: what lies before the first column is known to be lit; 0: it is not in the map
   float inverse[5];  // projective: 1/x at the borders of the splits, 1/m, falling
   vec3 shadowAlong;  // change of shadow texel and depth per metre towards the light (x, y are 0)

@@ -119,7 +119,8 @@ bool chooseMaps(const FrameContext& context, const Settings& settings, const Rec
   if (mayBeLinear) linear = linearFrame(input, context.roles.map.splits);
   context.report.linearImpossible |= mayBeLinear && !linear && mustBeLinear;
 
-  const double share = !linear ? 0.0 : mustBeLinear ? 1.0 : linearShare(*linear);
+  const double share = !linear ? 0.0 : mustBeLinear ? linearHold(*linear) : linearShare(*linear);
+  context.report.linearHandsOver |= mustBeLinear && linear && share < 1;
   const bool useLinear = share >= 0.5, both = fading != nullptr && share > 0 && share < 1;
   block.map = makeMap(context, settings, input, context.roles.map, light, linear, useLinear, parted);
   block.map.share = 1;
@@ -210,7 +211,7 @@ TyBinding resultAt5(const LightClass& lights, bool add) {
 }
 
 bool mayFade(const LayoutContext& context) {
-  return rectification(context.settings) == Rectification::kAuto && context.directionalLights > context.sunCookies;
+  return rectification(context.settings) != Rectification::kEpipolar && context.directionalLights > context.sunCookies;
 }
 
 std::vector<LightClass> lightClasses(const LayoutContext& context) {

@@ -15,7 +15,7 @@ constexpr std::uint32_t kFrameBlock = 0, kLightBlock = 1;
 constexpr std::uint32_t kLocalBlock = 2;
 /// The CookieBlock of each light by itself, likewise.
 constexpr std::uint32_t kCookieBlock = 3;
-/// With rectification=auto, the RectifiedLightBlock of a sun's second map while one map fades into the other.
+/// With rectification=auto or linear, the RectifiedLightBlock of a sun's second map while one map fades into the other.
 constexpr std::uint32_t kFadingBlock = 4;
 
 /// Lights that the same passes serve: suns, or spot and point lights, with a cookie or without. In each frame the
@@ -27,8 +27,8 @@ struct LightClass {
   bool fading =
       false;  ///< the second maps of suns between two rectifications: added to the result, and left out of most frames
 };
-/// Whether a layout has passes for second maps: rectification=auto and a sun without a cookie. The result must then be
-/// cleared and added to.
+/// Whether a layout has passes for second maps: a rectification that may be projective, and a sun without a cookie. The
+/// result must then be cleared and added to.
 bool mayFade(const LayoutContext& context);
 /// The classes of a layout's lights. For each, begin with beginClass() and add all passes; images are shared.
 std::vector<LightClass> lightClasses(const LayoutContext& context);
