@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include "app/pose.hpp"
 #include "app/readback.hpp"
 #include "app/session.hpp"
 #include "image/image_io.hpp"
@@ -42,6 +43,8 @@ class Laboratory {
   void at(double seconds) { request_.seconds = seconds; }
   /// Turns the camera about the world's vertical by `degrees` from where it was.
   void turn(double degrees);
+  /// Stands the camera elsewhere, with its lens.
+  void pose(const app::Pose& pose) { request_.camera = app::placed(start_, pose); }
   /// Pixel coordinates (from the upper left corner, y down) of the lamps' places, or of where the suns stand, that lie
   /// before the camera as the level has it; they may lie outside the picture.
   std::vector<glm::vec2> lightsInPicture() const;

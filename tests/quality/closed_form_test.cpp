@@ -1,6 +1,8 @@
 // Scattering where the answer can be written down: nothing in the sun's way, and one plate in it.
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "pictures.hpp"
 
@@ -91,6 +93,41 @@ TEST_F(ClosedForm, TheMediumActsAsItShould) {
   const image::FloatImage none = scatter(level, {"medium.sigma_t=0"});
   EXPECT_EQ(mean(none, 0), 0);
   EXPECT_EQ(mean(none, 3), 1);
+}
+
+// A camera without a far plane sees all of a level kilometres long, as one whose far plane lies behind it does, and
+// any near plane is a picture.
+TEST_F(ClosedForm, WithoutAFarPlaneTheLevelIsSeenToItsEnd) {
+  const std::vector<scene::Primitive> things{plate(-3000, 3000, -7000, 20, 0), plate(-400, 500, -5000, -2000, 900)};
+  const auto pictures = [&](const std::string& name, float znear, std::optional<float> zfar) {
+    const std::string level = writeLevel(name, things, kTravel, {"eye", 0.9f, znear, zfar});
+    const cli::Outcome outcome = tyndall({"render", level, "--size", "64x36", "--scatter", name + "s.exr", "--depth",
+                                          name + "d.exr", "--set", "medium.sigma_t=0.0003"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(tyndall({"truth", level, "--size", "64x36", "--samples", "64", "--out", name + "t.exr", "--set",
+                       "medium.sigma_t=0.0003"})
+                  .status,
+              0);
+    return std::array{read(name + "s.exr"), read(name + "d.exr"), read(name + "t.exr")};
+  };
+  const auto finite = pictures("finite", 0.1f, 20000.0f), open = pictures("open", 0.1f, {});
+  int level = 0, beyond = 0;
+  for (std::size_t i = 0; i < finite[1].values.size(); ++i) {
+    if (finite[1].values[i] >= 19000) continue;  // sky: its air ends elsewhere
+    ++level;
+    beyond += finite[1].values[i] > 1100 ? 1 : 0;
+    EXPECT_NEAR(open[1].values[i], finite[1].values[i], 1e-4 * finite[1].values[i]);
+    for (const std::size_t picture : {0u, 2u})
+      for (std::size_t c = 0; c < 4; ++c)
+        EXPECT_NEAR(open[picture].values[4 * i + c], finite[picture].values[4 * i + c], picture == 0 ? 0.02 : 1e-4);
+  }
+  EXPECT_GT(level, 1000);
+  EXPECT_GT(beyond, 100);
+  for (const float near : {999.999f, 1000.0f, 2000.0f, 1e6f}) {
+    const auto far = pictures("near", near, {});
+    for (const float t : far[1].values) EXPECT_GT(t, near) << "the near plane cuts";
+    for (const float radiance : far[0].values) ASSERT_TRUE(std::isfinite(radiance));
+  }
 }
 
 }  // namespace

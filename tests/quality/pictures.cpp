@@ -36,14 +36,14 @@ image::FloatImage QualityTest::truth(const std::string& level, int samples) cons
 }
 
 std::string QualityTest::writeLevel(const std::string& name, const std::vector<scene::Primitive>& primitives,
-                                    const glm::vec3& sunTravels) const {
+                                    const glm::vec3& sunTravels, const scene::Camera& lens) const {
   scene::Scene level;
   level.name = name;
   scene::Material material;
   material.doubleSided = true;
   level.materials.push_back(material);
   level.meshes.push_back({"things", primitives});
-  level.cameras.push_back({"eye", 0.9f, 0.1f, 60.0f});
+  level.cameras.push_back(lens);
   scene::Light sun;
   sun.intensity = 8;
   level.lights.push_back(sun);

@@ -24,7 +24,8 @@ class QualityTest : public cli::CliTest {
 
   /// Writes a level with one sun and one camera, returns its file name.
   std::string writeLevel(const std::string& name, const std::vector<scene::Primitive>& primitives,
-                         const glm::vec3& sunTravels) const;
+                         const glm::vec3& sunTravels, const scene::Camera& lens = kLens) const;
+  inline static const scene::Camera kLens{"eye", 0.9f, 0.1f, 60.0f};
 };
 
 /// nRMSE with respect to `reference`, over RGB.

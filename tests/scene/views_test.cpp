@@ -57,6 +57,36 @@ TEST(Cameras, CountInTheOrderOfTheFilesNodes) {
   EXPECT_EQ(cameras[0].camera.zfar, 50.0f);
   EXPECT_EQ(cameras[1].name, "parent");
   EXPECT_FALSE(cameras[1].camera.zfar.has_value());
+  EXPECT_EQ(s.orthographicCameras, 1u);
+}
+
+TEST(Cameras, PlanesThatOnlyADoubleTellsApartAreKept) {
+  GltfFile f;
+  f.triangle();
+  f.json["cameras"] = {
+      {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 1000}, {"zfar", 1000.00001}}}}};
+  f.json["nodes"] = {{{"camera", 0}}};
+  f.json["scenes"] = {{{"nodes", {0}}}};
+  const auto loaded = f.load();
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  EXPECT_TRUE(loaded->warnings.empty());
+  ASSERT_TRUE(loaded->scene.cameras[0].zfar.has_value());
+  EXPECT_GT(*loaded->scene.cameras[0].zfar, loaded->scene.cameras[0].znear);
+}
+
+// The rounding of a float position is half a step to either side; a line tells of steps that shadow maps resolve.
+TEST(Cameras, FarFromTheOriginALineSaysHowCoarsePositionsAre) {
+  for (const float away : {0.0f, 1e3f, 1e4f, 3e4f, 1e5f, 1e6f, 1e7f}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      CameraView view;
+      view.worldFromView[3][axis] = -away;
+      EXPECT_EQ(roundingNote(view).empty(), away < 5e4f) << away;
+    }
+  }
+  CameraView view;
+  view.worldFromView[3].x = 1e6f;
+  EXPECT_NE(roundingNote(view).find("1000 km"), std::string::npos);
+  EXPECT_NE(roundingNote(view).find("62 mm"), std::string::npos);  // 2^-4 m between 2^19 and 2^20 m
 }
 
 TEST(Cameras, DistancesThatCannotBeAreRepairedWithAWarning) {

@@ -55,10 +55,13 @@ TEST(TruthSurface, groundPlaneIsAtTheAnalyticDistanceElseTheFarPlane) {
   EXPECT_GT(far, 100);
 }
 
-TEST(TruthSurface, missingFarPlaneIsAThousandMetres) {
+TEST(TruthSurface, missingFarPlaneReachesTheLevel) {
   auto camera = cameraAt({0, 0, 0}, {0, 0, -1});
   camera.camera.zfar.reset();
   EXPECT_FLOAT_EQ(rendered({}, camera, {}, onePixel({0.001, 1, 0})).distance[0], 1000);
+  EXPECT_FLOAT_EQ(rendered(wall(-7000, true), camera, {}, onePixel({0.001, 1, 0})).distance[0], 7000);
+  camera.camera.znear = 2000;
+  EXPECT_FLOAT_EQ(rendered(wall(-7, true), camera, {}, onePixel({0.001, 1, 0})).distance[0], 4000);
 }
 
 // znear is a distance along the optical axis: at the picture's corner the ray is longer.

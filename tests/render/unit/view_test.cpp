@@ -51,10 +51,54 @@ TEST(MakeView, InversesAreInverses) {
   }
 }
 
-TEST(MakeView, NoFarPlaneMeansAThousandMetres) {
+TEST(MakeView, NoFarPlaneReachesAsFarAsTheLevel) {
   scene::CameraView c = camera(1.0f, 0.1f, 1.0f);
   c.camera.zfar.reset();
   EXPECT_EQ(makeView(c, 1, 1).zfar, 1000.0f);
+  EXPECT_EQ(makeView(c, 1, 1, {{-10, -1, -10}, {10, 5, 10}}).zfar, 1000.0f) << "small levels keep their air";
+  const scene::Bounds wide{{-3000, -2, -8000}, {4000, 900, 100}};
+  for (const float yaw : {0.0f, 0.7f, 2.5f, 4.0f}) {
+    c.worldFromView = glm::rotate(glm::translate(glm::mat4(1), {20, 60, -30}), yaw, glm::vec3(0, 1, 0));
+    const View view = makeView(c, 64, 36, wide);
+    EXPECT_EQ(view.zfar, makeView(camera(1.0f, 0.1f, view.zfar), 64, 36).zfar);
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::vec3 p(corner & 1 ? wide.max.x : wide.min.x, corner & 2 ? wide.max.y : wide.min.y,
+                        corner & 4 ? wide.max.z : wide.min.z);
+      const glm::dvec4 clip = glm::dmat4(view.clipFromView) * glm::dmat4(view.viewFromWorld) * glm::dvec4(p, 1);
+      if (clip.w > view.znear) {
+        EXPECT_GT(clip.z, 0) << "behind the far plane";
+      }
+    }
+    EXPECT_LT(view.zfar, 1.01f * 9000) << "as far as the level, no farther";
+  }
+}
+
+// Whatever a file may say, near and far: depths fall from 1 to 0, strictly between a tenth apart, and come back.
+TEST(MakeView, EveryPairOfPlanesKeepsDepthsApart) {
+  const scene::Bounds small{glm::vec3(-5), glm::vec3(5)};
+  for (const float near : {1e-5f, 0.1f, 1.0f, 999.999f, 1000.0f, 2000.0f, 1e6f, 1e9f}) {
+    for (const double factor : {0.0, 1.0000002, 1.001, 2.0, 1e3, 1e6, 1e12}) {
+      scene::CameraView c = camera(1.0f, near, 0);
+      const float far = static_cast<float>(std::max(near * factor, double{std::nextafter(near, 1e30f)}));
+      if (factor > 0)
+        c.camera.zfar = far;
+      else
+        c.camera.zfar.reset();
+      const View view = makeView(c, 16, 9, small);
+      ASSERT_GT(view.zfar, view.znear);
+      ASSERT_TRUE(std::isfinite(view.zfar));
+      double before = 1.5;
+      for (double z = near; z <= view.zfar; z *= 1.1) {
+        const glm::vec4 clip = view.clipFromView * glm::vec4(0, 0, -static_cast<float>(z), 1);
+        const float depth = clip.z / clip.w;
+        ASSERT_LT(depth, before) << near << ' ' << view.zfar << ' ' << z;
+        ASSERT_GE(depth, -1e-6f * near / static_cast<float>(z));
+        before = depth;
+        const double read = double{view.znear} * view.zfar / (view.znear + double{depth} * (view.zfar - view.znear));
+        ASSERT_NEAR(read, z, 1e-6 * z) << near << ' ' << view.zfar;
+      }
+    }
+  }
 }
 
 }  // namespace
