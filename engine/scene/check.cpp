@@ -101,9 +101,9 @@ void checkLight(Checker& c, const Scene& scene, const Light& light, const std::s
   c.require(light.intensity >= 0 && finite(light.intensity), name + ".intensity is negative or not finite");
   c.require(!light.range || (*light.range > 0 && finite(*light.range)), name + ".range is not above 0");
   if (light.kind == LightKind::kSpot)
-    c.require(
-        light.innerConeAngle >= 0 && light.innerConeAngle < light.outerConeAngle && light.outerConeAngle <= 1.5707964f,
-        name + "'s cone angles are not 0 <= inner < outer <= pi/2");
+    c.require(light.innerConeAngle >= 0 && light.innerConeAngle <= light.outerConeAngle && light.outerConeAngle > 0 &&
+                  light.outerConeAngle <= 1.5707964f,
+              name + "'s cone angles are not 0 <= inner <= outer <= pi/2 with outer above 0");
   if (!light.cookie) return;
   c.index(light.cookie->texture, scene.textures.size(), name + ".cookie.texture", "textures", false);
   c.require(finite(light.cookie->size) && light.cookie->size.x > 0 && light.cookie->size.y > 0,

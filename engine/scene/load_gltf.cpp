@@ -43,6 +43,21 @@ bool hasTriangles(const Scene& scene) {
   return false;
 }
 
+/// A matrix may flatten all that tells where a camera looks or a light shines. Rotations and scales never do.
+void warnOfLostDirections(const Scene& scene, Warnings& warnings) {
+  const auto turns = worldTurns(scene, 0);
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (turns[i]) continue;
+    const std::string matrix = element("nodes", node.order) + ": its matrix or that of a node above it flattens ";
+    constexpr const char* kRepair =
+        " is taken as -Z; a matrix that can be inverted, or rotation and scale, would tell it";
+    if (node.camera != kNone) warnings.add(matrix + "where its camera looks, which" + kRepair);
+    if (node.light != kNone && (scene.lights[node.light].kind != LightKind::kPoint || scene.lights[node.light].cookie))
+      warnings.add(matrix + "where its light shines, which" + kRepair);
+  }
+}
+
 Import import(const std::filesystem::path& path, std::vector<std::byte> file) {
   Warnings warnings;
   Prepared prepared = prepare(openContainer(file, warnings), path, file.size(), warnings);
@@ -58,6 +73,7 @@ Import import(const std::filesystem::path& path, std::vector<std::byte> file) {
   dropBeyondExtent(out.scene, warnings);
   // One bad part does not lose the rest; a level of which nothing is left is lost.
   if (hasMeshes && !hasTriangles(out.scene) && !warnings.firstCounted().empty()) refuse(warnings.firstCounted());
+  warnOfLostDirections(out.scene, warnings);
   // What is left is a promise of ours; a file that finds a gap in the checks above is refused all the same.
   if (auto sound = checkScene(out.scene); !sound) refuse("is inconsistent: " + oneLine(sound.error().message));
   out.warnings = warnings.take();

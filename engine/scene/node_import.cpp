@@ -86,6 +86,9 @@ void repairTransform(Node& n, const std::string& name, Warnings& warnings) {
                          static_cast<float>(unit.z));
 }
 
+/// What an outer cone of nothing becomes, radians.
+constexpr float kLeastOuterCone = 1e-3f;
+
 /// Cameras and lights, copied on first use.
 struct Attachments {
   const Document& document;
@@ -121,10 +124,11 @@ struct Attachments {
     std::int32_t& out = lightOf[index];
     if (out == kNone) {
       Light l = document.lights[index];
-      if (l.kind == LightKind::kSpot && l.innerConeAngle >= l.outerConeAngle) {
+      // Equal angles, which the extension forbids and exporters write, are a cone with a hard edge.
+      if (l.kind == LightKind::kSpot && (l.innerConeAngle > l.outerConeAngle || l.outerConeAngle == 0)) {
         warnings.add(element("lights", index) +
                      " has an inner cone that is not inside its outer cone; the inner one was shrunk");
-        l.outerConeAngle = std::max(l.outerConeAngle, 1e-3f);
+        l.outerConeAngle = std::max(l.outerConeAngle, kLeastOuterCone);
         l.innerConeAngle = 0.99f * l.outerConeAngle;
       }
       out = static_cast<std::int32_t>(scene.lights.size());

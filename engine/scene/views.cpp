@@ -28,7 +28,9 @@ glm::mat4 lookFrom(const glm::vec3& eye, const glm::vec3& forward, const glm::ve
 
 }  // namespace
 
-std::vector<CameraView> placedCameras(const Scene& scene, const std::vector<glm::mat4>& worldFromNode) {
+std::vector<CameraView> placedCameras(const Scene& scene, double seconds) {
+  const std::vector<glm::mat4> worldFromNode = worldMatrices(scene, seconds);
+  const std::vector<std::optional<glm::mat3>> turns = worldTurns(scene, seconds);
   std::vector<std::size_t> nodes;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i)
     if (scene.nodes[i].camera != kNone) nodes.push_back(i);
@@ -36,10 +38,9 @@ std::vector<CameraView> placedCameras(const Scene& scene, const std::vector<glm:
                    [&](std::size_t a, std::size_t b) { return scene.nodes[a].order < scene.nodes[b].order; });
   std::vector<CameraView> out;
   for (const std::size_t i : nodes) {
-    const glm::mat4& m = worldFromNode[i];
+    const glm::mat3 turn = turns[i].value_or(glm::mat3(1));
     const Camera& camera = scene.cameras[scene.nodes[i].camera];
-    const glm::vec3 forward = unitOr(-glm::vec3(m[2]), {0, 0, -1}), up = unitOr(glm::vec3(m[1]), {0, 1, 0});
-    out.push_back({lookFrom(glm::vec3(m[3]), forward, up), camera,
+    out.push_back({lookFrom(glm::vec3(worldFromNode[i][3]), -turn[2], turn[1]), camera,
                    scene.nodes[i].name.empty() ? camera.name : scene.nodes[i].name});
   }
   return out;
@@ -101,14 +102,15 @@ CameraView framingCamera(const Bounds& bounds) {
   return view;
 }
 
-std::vector<LightView> placedLights(const Scene& scene, const std::vector<glm::mat4>& worldFromNode) {
+std::vector<LightView> placedLights(const Scene& scene, double seconds) {
+  const std::vector<glm::mat4> worldFromNode = worldMatrices(scene, seconds);
+  const std::vector<std::optional<glm::mat3>> turns = worldTurns(scene, seconds);
   std::vector<LightView> out;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].light == kNone) continue;
-    const glm::mat4& m = worldFromNode[i];
-    const glm::vec3 direction = unitOr(-glm::vec3(m[2]), {0, 0, -1}), up = unitOr(glm::vec3(m[1]), {0, 1, 0});
-    out.push_back({scene.lights[scene.nodes[i].light], glm::vec3(m[3]), direction, static_cast<std::int32_t>(i),
-                   glm::mat3(lookFrom(glm::vec3(0), direction, up))});
+    const glm::mat3 turn = turns[i].value_or(glm::mat3(1));
+    out.push_back({scene.lights[scene.nodes[i].light], glm::vec3(worldFromNode[i][3]), -turn[2],
+                   static_cast<std::int32_t>(i), glm::mat3(lookFrom(glm::vec3(0), -turn[2], turn[1]))});
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/scene.hpp"
+#include "turn.hpp"
 
 namespace tyndall::scene {
 namespace {
@@ -65,13 +66,18 @@ glm::mat4 matrix(const Pose& pose) {
   return m;
 }
 
-}  // namespace
-
-std::vector<glm::mat4> worldMatrices(const Scene& scene, double seconds) {
+std::vector<Pose> posesAt(const Scene& scene, double seconds) {
   std::vector<Pose> poses;
   poses.reserve(scene.nodes.size());
   for (const Node& node : scene.nodes) poses.push_back({node.translation, node.scale, node.rotation});
   for (const Animation& animation : scene.animations) apply(animation, seconds, poses);
+  return poses;
+}
+
+}  // namespace
+
+std::vector<glm::mat4> worldMatrices(const Scene& scene, double seconds) {
+  const std::vector<Pose> poses = posesAt(scene, seconds);
   std::vector<glm::mat4> worldFromNode(scene.nodes.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
@@ -79,6 +85,20 @@ std::vector<glm::mat4> worldMatrices(const Scene& scene, double seconds) {
     worldFromNode[i] = node.parent == kNone ? parentFromNode : worldFromNode[node.parent] * parentFromNode;
   }
   return worldFromNode;
+}
+
+std::vector<std::optional<glm::mat3>> worldTurns(const Scene& scene, double seconds) {
+  const std::vector<Pose> poses = posesAt(scene, seconds);
+  std::vector<std::optional<glm::mat3>> turns(scene.nodes.size());
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    const auto own = node.matrix ? turnOf(glm::mat3(*node.matrix)) : turnOf(poses[i].rotation, poses[i].scale);
+    if (node.parent == kNone)
+      turns[i] = own;
+    else if (own && turns[node.parent])
+      turns[i] = *turns[node.parent] * *own;
+  }
+  return turns;
 }
 
 Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& worldFromNode) {

@@ -192,6 +192,12 @@ struct Scene {
 /// World matrix of every node, at `seconds` of all animations (looped by their duration). Size: nodes.size().
 std::vector<glm::mat4> worldMatrices(const Scene& scene, double seconds);
 
+/// How every node is turned, without its size: columns are its right, up and backward in the world, of length one and
+/// perpendicular. The rotations and mirrorings of the node and those above it; a scale of 0 counts as a small positive
+/// one, and sizes not at all. Nothing where a node's matrix says too little (it has no two directions left, nor a
+/// backward one).
+std::vector<std::optional<glm::mat3>> worldTurns(const Scene& scene, double seconds);
+
 /// Bounds of all mesh instances in world space.
 Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& worldFromNode);
 
@@ -201,8 +207,9 @@ struct CameraView {
   Camera camera;
   std::string name;
 };
-/// All perspective cameras, in the order that the file lists their nodes (Node::order).
-std::vector<CameraView> placedCameras(const Scene& scene, const std::vector<glm::mat4>& worldFromNode);
+/// All perspective cameras at `seconds`, in the order that the file lists their nodes (Node::order). Of worldTurns()
+/// they take where to look and what is up.
+std::vector<CameraView> placedCameras(const Scene& scene, double seconds);
 
 /// Where view rays end that meet nothing, metres along the optical axis: the camera's own far plane. One that has none
 /// sees infinitely far; its air has to end somewhere, and does so behind the farthest point of `level`, the box of
@@ -227,7 +234,8 @@ struct LightView {
   /// removed.
   glm::mat3 worldFromLight{1};
 };
-std::vector<LightView> placedLights(const Scene& scene, const std::vector<glm::mat4>& worldFromNode);
+/// All lights at `seconds`; turned as cameras are.
+std::vector<LightView> placedLights(const Scene& scene, double seconds);
 
 /// The sun that a file without lights gets.
 LightView defaultSun();
