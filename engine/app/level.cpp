@@ -58,27 +58,25 @@ Result<Level> loadLevel(std::string_view text) {
   level.path = *path;
   level.scene = std::move(import->scene);
   for (const std::string& warning : import->warnings) level.warnings.push_back(path->string() + ": " + warning);
-  const auto world = level.worldFromNode(0);
-  if (scene::placedCameras(level.scene, world).empty())
+  if (scene::placedCameras(level.scene, 0).empty())
     level.notes.push_back(path->string() +
                           (level.scene.orthographicCameras > 0
                                ? ": has orthographic cameras only, which are not supported yet and left out"
                                : ": has no perspective camera") +
                           "; one that frames the level is used");
-  if (scene::placedLights(level.scene, world).empty())
+  if (scene::placedLights(level.scene, 0).empty())
     level.notes.push_back(path->string() + ": has no light; a default sun is used");
   return level;
 }
 
 std::vector<scene::CameraView> Level::cameras(double seconds) const {
-  const auto world = worldFromNode(seconds);
-  auto views = scene::placedCameras(scene, world);
-  if (views.empty()) views.push_back(scene::framingCamera(scene::worldBounds(scene, world)));
+  auto views = scene::placedCameras(scene, seconds);
+  if (views.empty()) views.push_back(scene::framingCamera(scene::worldBounds(scene, worldFromNode(seconds))));
   return views;
 }
 
 std::vector<scene::LightView> Level::lights(double seconds) const {
-  auto views = scene::placedLights(scene, worldFromNode(seconds));
+  auto views = scene::placedLights(scene, seconds);
   if (views.empty()) views.push_back(scene::defaultSun());
   return views;
 }
