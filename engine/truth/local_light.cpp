@@ -7,6 +7,9 @@
 namespace tyndall::truth {
 namespace {
 
+/// Difference of the cosines of a cone with a hard edge, far below what double tells apart.
+constexpr double kLeastFalloff = 1e-30;
+
 /// Gauss-Legendre on [-1, 1], exact up to the fifth power: {place, weight}.
 const std::array<std::array<double, 2>, 3> kGauss{
     {{-std::sqrt(0.6), 5.0 / 9.0}, {0.0, 8.0 / 9.0}, {std::sqrt(0.6), 5.0 / 9.0}}};
@@ -22,8 +25,7 @@ LocalLight::LocalLight(const scene::Scene& scene, const scene::LightView& light,
   spot_ = true;
   cosOuter_ = std::cos(double{light.light.outerConeAngle});
   const double cosInner = std::cos(double{light.light.innerConeAngle});
-  angleScale_ = 1 / std::max(0.001, cosInner - cosOuter_);  // 0.001: the extension's
-  angleOffset_ = -cosOuter_ * angleScale_;
+  angleScale_ = 1 / std::max(cosInner - cosOuter_, kLeastFalloff);
 }
 
 double LocalLight::attenuation(double distance, double cosineToAxis) const {
@@ -33,7 +35,7 @@ double LocalLight::attenuation(double distance, double cosineToAxis) const {
     value *= std::clamp(1 - share * share, 0.0, 1.0);
   }
   if (spot_) {
-    const double angular = std::clamp(cosineToAxis * angleScale_ + angleOffset_, 0.0, 1.0);
+    const double angular = std::clamp((cosineToAxis - cosOuter_) * angleScale_, 0.0, 1.0);
     value *= angular * angular;
   }
   return value;

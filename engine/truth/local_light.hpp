@@ -39,7 +39,7 @@ class LocalLight {
   std::optional<LightImage> image_;
   bool spot_ = false;
   double cosOuter_ = -1;
-  double angleScale_ = 0, angleOffset_ = 1;  ///< the extension's lightAngleScale and lightAngleOffset
+  double angleScale_ = 0;  ///< the extension's lightAngleScale
 };
 
 }  // namespace tyndall::truth
