@@ -16,20 +16,29 @@ LIB Real2 clipToRange(Real2 interval, Real pass, Real range) {
   return Real2(max(interval.x, -half_), min(interval.y, half_));
 }
 
-// The part inside a cone of cosine `cosOuter` >= 0 whose apex is the light. `along` is the dot product of the ray's direction and the
-// cone's axis, `across` that of the axis and the vector from the light to the nearest point.
-// On the cone's boundary A s^2 + 2 B s + C = 0, A = along^2 - c^2, B = along across, C = across^2 - c^2 pass^2; its discriminant,
-// B^2 - A C = c^2 (A pass^2 + across^2), loses no digits in that form. The cone is convex: there is one part at most.
-LIB Real2 clipToCone(Real2 interval, Real pass, Real along, Real across, Real cosOuter) {
+// The part inside a cone whose apex is the light and whose outer half angle, at most pi/2, has this cosine and sine. `direction` is the
+// ray's, `nearest` the vector from the light to the ray's nearest point, `axis` the cone's; direction and axis of length one.
+// On the boundary A s^2 + 2 B s + C = 0, with along = direction.axis, across = nearest.axis, and u and n the squares of the parts of direction
+// and nearest at right angles to the axis:
+//   A = sin^2 along^2 - cos^2 u,  B = along across,  C = sin^2 across^2 - cos^2 n,
+//   B^2 - A C = cos^2 (sin^2 (across^2 + along^2 pass^2) - cos^2 (axis.(nearest x direction))^2).
+// Nothing in it is a difference of numbers near one, so that narrow cones keep their digits. The cone is convex: there is one part at most.
+LIB Real2 clipToCone(Real2 interval, Real3 direction, Real3 nearest, Real3 axis, Real cosOuter, Real sinOuter) {
   Real c2 = cosOuter * cosOuter;
-  Real a = along * along - c2;
+  Real s2 = sinOuter * sinOuter;
+  Real along = dot(direction, axis);
+  Real across = dot(nearest, axis);
+  Real3 u = cross(direction, axis);
+  Real3 n = cross(nearest, axis);
+  Real beside = dot(axis, cross(nearest, direction));
+  Real a = s2 * along * along - c2 * dot(u, u);
   Real b = along * across;
-  Real discriminant = c2 * (a * pass * pass + across * across);
+  Real c = s2 * across * across - c2 * dot(n, n);
+  Real discriminant = c2 * (s2 * (across * across + along * along * dot(nearest, nearest)) - c2 * beside * beside);
   // a < 0: the ray is steeper than the cone's side and meets one nappe twice or nothing; it is the light's own where across > 0.
   if (a < R(0.0) && (discriminant <= R(0.0) || across <= R(0.0))) return Real2(R(1.0), R(0.0));
   Real root = sqrt(max(discriminant, R(0.0)));
   Real q = -(b + (b < R(0.0) ? -root : root));
-  Real c = across * across - c2 * pass * pass;
   Real first = q == R(0.0) ? R(0.0) : c / q;
   // a = 0: the ray is parallel to the cone's side and meets it once.
   Real second = a == R(0.0) ? (q < R(0.0) ? R(-1e30) : R(1e30)) : q / a;
@@ -40,12 +49,25 @@ LIB Real2 clipToCone(Real2 interval, Real pass, Real along, Real across, Real co
   return along > R(0.0) ? Real2(max(interval.x, high), interval.y) : Real2(interval.x, min(interval.y, low));
 }
 
+// 1 - cos of the angle at the light between `axis` (length one) and `from`, a vector from the light: |from x axis|^2/(d (d + from.axis)),
+// which keeps its digits on the axis. `distance2` is the square of the distance d and `more` what that was raised by where the point counts as
+// farther off than it is, across the axis (docs/conventions.md, "Near a lamp"): from.from + more.
+LIB Real versineToAxis(Real3 from, Real3 axis, Real distance2, Real more) {
+  Real along = dot(from, axis);
+  Real3 beside = cross(from, axis);
+  Real d = sqrt(distance2);
+  return along > R(0.0) ? (dot(beside, beside) + more) / (d * (d + along)) : R(1.0) - along / d;
+}
+
 // KHR_lights_punctual, without the inverse square: the range's window (recommended there, after Karis 2013, "Real Shading in Unreal
-// Engine 4", equation 9) and the cone. A point light has scale 0 and offset 1.
-LIB Real localAttenuation(Real distance2, Real range, Real cosineToAxis, Real coneScale, Real coneOffset) {
+// Engine 4", equation 9) and the cone, as shared/lamp.h keeps it. A point light has versine 0, outer 1 and scale 1.
+LIB Real coneAttenuation(Real versine_, Real coneOuter, Real coneScale) {
+  Real cone = clamp((coneOuter - versine_) * coneScale, R(0.0), R(1.0));
+  return cone * cone;
+}
+LIB Real localAttenuation(Real distance2, Real range, Real versine_, Real coneOuter, Real coneScale) {
   Real q = range > R(0.0) ? distance2 / (range * range) : R(0.0);
-  Real cone = clamp(cosineToAxis * coneScale + coneOffset, R(0.0), R(1.0));
-  return clamp(R(1.0) - q * q, R(0.0), R(1.0)) * cone * cone;
+  return clamp(R(1.0) - q * q, R(0.0), R(1.0)) * coneAttenuation(versine_, coneOuter, coneScale);
 }
 
 // Angle at the light between two points of the ray, from <= to. One arc tangent of a difference, not a difference of two.

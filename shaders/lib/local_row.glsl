@@ -29,14 +29,16 @@ LIB Real localWeight(Real theta, Real psi, Real sigmaD, Real g, Real rangeOverD,
   return phaseHenyeyGreenstein(cos(sum), g) * exp(-min(sigmaD * wayOverDistance(theta, psi), most)) * window;
 }
 
-// The interval of psi in [0, pi] in which a light ray of a slice is inside a cone of cosine `cosOuter` > 0 about the light's axis: with the
-// ray -a cos(psi) + e sin(psi), `along` = -(a.axis) and `across` = e.axis. Empty where x > y.
-LIB Real2 coneAngles(Real along, Real across, Real cosOuter) {
+// The interval of psi in [0, pi] in which a light ray of a slice is inside a cone about the light's axis, whose outer half angle has this
+// cosine and sine: with the ray -a cos(psi) + e sin(psi), `along` = -(a.axis), `across` = e.axis, and `beside` the axis's part at right angles
+// to the slice. Empty where x > y. With l^2 = along^2 + across^2 = 1 - beside^2, half of it is acos(cos/l), whose tangent is written without a
+// difference of numbers near one.
+LIB Real2 coneAngles(Real along, Real across, Real beside, Real cosOuter, Real sinOuter) {
   const Real pi = R(3.14159265358979324);
-  Real length_ = sqrt(along * along + across * across);
-  if (length_ <= cosOuter) return Real2(R(1.0), R(0.0));
+  Real inside = sinOuter * sinOuter - beside * beside;
+  if (inside <= R(0.0)) return Real2(R(1.0), R(0.0));
   Real middle = atan(across, along);
-  Real half_ = acos(cosOuter / length_);
+  Real half_ = atan(sqrt(inside), cosOuter);
   // An interval shorter than pi; below 0 it may come in again at pi.
   if (middle + half_ < R(0.0)) middle += R(2.0) * pi;
   return Real2(max(middle - half_, R(0.0)), min(middle + half_, pi));

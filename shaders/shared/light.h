@@ -1,6 +1,7 @@
 // A light as the engine's shaders see it (KHR_lights_punctual) with the matrices of its shadow map.
 #ifndef TYNDALL_SHARED_LIGHT_H
 #define TYNDALL_SHARED_LIGHT_H
+#include "shared/lamp.h"
 #include "shared/types.h"
 TY_SHARED_BEGIN
 
@@ -16,8 +17,7 @@ struct LightCore {
   vec3 direction;   // directional, spot: unit, the way the light travels
   float range;      // m; 0: unlimited
   vec3 intensity;   // colour times intensity: lux (directional) or candela
-  float spotScale;  // the extension's lightAngleScale and lightAngleOffset
-  float spotOffset;
+  float coneOuter, coneScale;  // ConeFalloff (shared/lamp.h); 1 and 1 of a light without a cone
 };
 
 // The image that a light shines through: a part of the array of all lights' cookies.

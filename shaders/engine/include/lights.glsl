@@ -13,6 +13,8 @@
 #include "engine/include/shadow.glsl"
 #include "engine/include/cookie.glsl"
 #include "engine/include/opaque.glsl"
+#include "lib/portable.h"
+#include "lib/local_light.glsl"
 
 vec3 directionTo(LightCore light, vec3 position) {
   return opaque(light.kind) == kLightDirectional ? -light.direction : normalize(light.position - position);
@@ -22,20 +24,12 @@ vec3 directionTo(LightCore light, vec3 position) {
 // range's window (recommended there, after Karis 2013, Real Shading in Unreal Engine 4, equation 9) and the cone.
 vec3 irradianceFrom(LightCore light, vec3 position) {
   if (opaque(light.kind) == kLightDirectional) return light.intensity;
-  vec3 to = light.position - position;
-  // A point on the light itself would give infinity: the inverse square ends at 1 mm.
-  float d2 = max(dot(to, to), 1e-6);
-  float attenuation = 1.0 / d2;
-  if (opaque(light.range) > 0.0) {
-    float q = d2 / (light.range * light.range);
-    attenuation *= clamp(1.0 - q * q, 0.0, 1.0);
-  }
-  if (opaque(light.kind) == kLightSpot) {
-    float cosine = dot(light.direction, -to) * inversesqrt(d2);
-    float cone = clamp(cosine * light.spotScale + light.spotOffset, 0.0, 1.0);
-    attenuation *= cone * cone;
-  }
-  return light.intensity * attenuation;
+  vec3 from = position - light.position;
+  float own = dot(from, from);
+  // A point on the light itself would give infinity.
+  float d2 = max(own, kLeastLampDistance * kLeastLampDistance);
+  float versine = opaque(light.kind) == kLightSpot ? versineToAxis(from, light.direction, d2, d2 - own) : 0.0;
+  return light.intensity * (localAttenuation(d2, opaque(light.range), versine, light.coneOuter, light.coneScale) / d2);
 }
 
 #define TY_SHADOW_SLOT(i)                                                                      \
