@@ -90,10 +90,10 @@ shared::LightBlock makeBlock(const scene::LightView& view, const ShadowFit& fit,
   block.core.direction = glm::normalize(view.direction);
   block.core.range = light.range.value_or(0.0f);
   block.core.intensity = light.color * light.intensity;
-  // KHR_lights_punctual, "Inner and Outer Cone Angles": the floor keeps equal angles from dividing by zero.
-  const float cosOuter = std::cos(light.outerConeAngle);
-  block.core.spotScale = 1.0f / std::max(0.001f, std::cos(light.innerConeAngle) - cosOuter);
-  block.core.spotOffset = -cosOuter * block.core.spotScale;
+  shared::ConeFalloff cone;
+  if (light.kind == scene::LightKind::kSpot) cone = shared::coneFalloff(light.innerConeAngle, light.outerConeAngle);
+  block.core.coneOuter = cone.outer;
+  block.core.coneScale = cone.scale;
   block.texelSize = static_cast<float>(fit.texelSize);
   block.shadowSize = static_cast<float>(shadowSize);
   block.depthCurve = fit.depthCurve;
