@@ -103,6 +103,10 @@ std::uint32_t LayoutBuilder::compute(ComputePass pass) {
   if (pass.lightKinds == kEachLight) {
     pass.lightKinds = roles_.classes.back().kinds;
     roles_.classes.back().passes.push_back(static_cast<std::uint32_t>(passes_.size()));
+    const bool result = std::any_of(pass.bindings.begin(), pass.bindings.end(),
+                                    [](const TyBinding& binding) { return binding.source == TY_SOURCE_OUTPUT; });
+    if ((pass.lightKinds & kLocalLights) != 0 && !result)
+      roles_.localRowPasses.push_back(static_cast<std::uint32_t>(passes_.size()));
   }
   passData_.push_back(std::move(pass));
   const ComputePass& data = passData_.back();

@@ -37,6 +37,8 @@ struct LayoutRoles {
   MapPasses map, fadingMap;
   std::vector<ClassPasses> classes;
   std::vector<std::uint32_t> localPasses;  ///< those that run for spot or point lights
+  /// Of those in a class, all that do not write the result: needless for a lamp that is marched.
+  std::vector<std::uint32_t> localRowPasses;
   std::uint32_t standInClear =
       TY_NONE;  ///< clears the result in frames in which the only light, a local one, reaches no view ray
   bool momentsMissing = false;  ///< filtered resampling was asked for, but the host makes no moment shadow maps

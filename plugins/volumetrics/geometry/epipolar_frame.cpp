@@ -182,12 +182,12 @@ void spaceByBorder(const RectificationInput& input, RectificationBlock& block) {
 
 }  // namespace
 
-std::optional<ConeSector> coneSector(const glm::dvec3& towards, const glm::dvec3& coneAxis, double cosOuter) {
+std::optional<ConeSector> coneSector(const glm::dvec3& towards, const glm::dvec3& coneAxis, double sinOuter) {
   const glm::dvec3 across = coneAxis - towards * glm::dot(coneAxis, towards);
-  const double sine = glm::length(across), sineOuter = std::sqrt(std::max(0.0, 1 - cosOuter * cosOuter));
+  const double sine = glm::length(across);
   // Within rounding of the axis nearly half of all azimuths are reached: all of them are as good.
-  if (sine <= sineOuter * 1.0001) return std::nullopt;
-  return ConeSector{across / sine, std::asin(sineOuter / sine)};
+  if (sine <= sinOuter * 1.0001) return std::nullopt;
+  return ConeSector{across / sine, std::asin(sinOuter / sine)};
 }
 
 namespace {
@@ -216,8 +216,8 @@ RectificationBlock epipolarBlock(const RectificationInput& input) {
   if (glm::length(e1) < 1e-6) e1 = glm::cross(axis, std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
   // Nothing lies outside a spot light's cone: slices are spent on its azimuths alone, with e1 along their middle.
   std::optional<ConeSector> sector;
-  if (input.cosOuter > 0 && input.spacing == SliceSpacing::kAzimuth)
-    sector = coneSector(axis, glm::dvec3(input.coneAxis), input.cosOuter);
+  if (input.sinOuter > 0 && input.spacing == SliceSpacing::kAzimuth)
+    sector = coneSector(axis, glm::dvec3(input.coneAxis), input.sinOuter);
   const glm::dvec3 middleOfView = glm::normalize(e1);
   fillFrame(input, sector ? sector->middle : middleOfView, block);
 

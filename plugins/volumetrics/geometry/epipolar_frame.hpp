@@ -27,7 +27,7 @@ struct RectificationInput {
   SliceSpacing spacing = SliceSpacing::kAzimuth;
   bool wholeView = false;  ///< rows hold all that is seen, not only what can be blocked
   glm::vec3 coneAxis{0};   ///< unit, the way a spot light shines; zero: light goes everywhere
-  float cosOuter = 0;      ///< of its cone
+  float sinOuter = 0;      ///< of its cone's half angle
 };
 
 /// The azimuths about `towards` that a cone from a point on that axis reaches: `middle` is the cone's own azimuth as a
@@ -36,7 +36,7 @@ struct ConeSector {
   glm::dvec3 middle;  ///< unit, perpendicular to the axis
   double halfWidth;   ///< rad, below pi/2
 };
-std::optional<ConeSector> coneSector(const glm::dvec3& towards, const glm::dvec3& coneAxis, double cosOuter);
+std::optional<ConeSector> coneSector(const glm::dvec3& towards, const glm::dvec3& coneAxis, double sinOuter);
 
 /// Corners of the frustum as directions of length one along the optical axis, in order round the screen.
 std::array<glm::dvec3, 4> cornerDirections(const RayBlock& rays);

@@ -1,6 +1,7 @@
 // Uniform blocks that several techniques share; C++ and GLSL, scalar layout.
 #ifndef TYNDALL_VOLUMETRICS_BLOCKS_H
 #define TYNDALL_VOLUMETRICS_BLOCKS_H
+#include "shared/lamp.h"
 #include "shared/types.h"
 TY_SHARED_BEGIN
 
@@ -42,8 +43,8 @@ struct LocalBlock {
   vec3 intensity;               // cd
   vec3 axis;                    // spot: unit, the way the light travels
   float range;                  // m; 0: unlimited
-  float cosOuter;               // spot: cosine of the outer cone's half angle, above 0
-  float coneScale, coneOffset;  // the extension's lightAngleScale and lightAngleOffset; 0 and 1 for a point light
+  float cosOuter, sinOuter;     // spot: of the outer cone's half angle
+  float coneOuter, coneScale;   // ConeFalloff (shared/lamp.h); 1 and 1 for a point light
   uint kind;                    // kLocal...
   float shadowSize;             // texels a side
   float texelAngle;             // angle of the map's smallest texel as the light sees it, rad

@@ -11,8 +11,6 @@
 namespace volumetrics {
 namespace {
 
-// A cone of half a sphere has no side to clip at; what lies beyond 89.99 degrees gets no light worth counting.
-constexpr float kLeastCosine = 1e-4f;
 // An arc cosine near 1 is off by the root of float's rounding.
 constexpr float kAngleSlack = 1e-3f;
 
@@ -28,7 +26,7 @@ float extentAlong(const LocalBlock& light, const glm::vec3& direction) {
   float best = 1;  // cosine between `direction` and the cone's direction nearest to it
   if (light.kind == kLocalSpot) {
     const float apart = std::acos(std::clamp(glm::dot(direction, light.axis), -1.0f, 1.0f));
-    best = std::cos(std::max(0.0f, apart - std::acos(light.cosOuter) - kAngleSlack));
+    best = std::cos(std::max(0.0f, apart - std::atan2(light.sinOuter, light.cosOuter) - kAngleSlack));
   }
   // What turns away from `direction` is farthest along it at the light itself.
   const float reach = light.range > 0 ? light.range : std::numeric_limits<float>::infinity();
@@ -43,13 +41,17 @@ LocalBlock localBlock(const TyLight& light, const glm::vec3& eye) {
   block.intensity = glm::make_vec3(light.radiance);
   block.range = light.range;
   block.kind = light.kind;
-  block.coneOffset = 1;
+  block.coneOuter = block.coneScale = 1;
   if (light.kind == TY_LIGHT_SPOT) {
     block.axis = glm::normalize(glm::make_vec3(light.direction));
-    block.cosOuter = std::max(light.cos_outer, kLeastCosine);
-    // KHR_lights_punctual, "Inner and Outer Cone Angles": the floor keeps equal angles from dividing by zero.
-    block.coneScale = 1 / std::max(0.001f, light.cos_inner - light.cos_outer);
-    block.coneOffset = -light.cos_outer * block.coneScale;
+    const bool angles = light.struct_size >= offsetof(TyLight, cone_outer) + sizeof light.cone_outer;
+    const double outer = angles && light.cone_outer > 0 ? light.cone_outer : std::acos(double{light.cos_outer});
+    const double inner = angles && light.cone_outer > 0 ? light.cone_inner : std::acos(double{light.cos_inner});
+    block.cosOuter = static_cast<float>(std::max(std::cos(outer), 0.0));
+    block.sinOuter = static_cast<float>(std::sin(outer));
+    const ConeFalloff cone = coneFalloff(inner, outer);
+    block.coneOuter = cone.outer;
+    block.coneScale = cone.scale;
   }
   block.shadowSize = static_cast<float>(light.shadow_size);
   // In double: the light may be far from the origin, and depth is curved. All faces have one range of depths.

@@ -8,9 +8,6 @@
 
 #include "stages/opaque.glsl"
 
-// The integral diverges for a ray through the light itself: a ray that passes closer counts as passing at this distance, m.
-const float kClosestPass = 1e-3;
-
 // Candela towards a point of a view ray, for a stratum of `length_` m. The cookie belongs here, and nowhere else (stages/march_cookie.glsl).
 vec3 lightColour(LocalBlock light, vec3 direction, float t, float length_) {
   return hasCookie() ? light.intensity * cookieAlong(direction, t, length_) : light.intensity;
@@ -38,8 +35,8 @@ struct LocalRay {
   vec3 direction;  // unit
   vec3 nearest;    // from the light to the ray's nearest point, m
   float closest;   // distance of that point along the ray, m; negative behind the eye
-  float pass;      // its distance from the light, m, at least kClosestPass
-  float along, across;  // dot products of the spot's axis with the direction and with `nearest`
+  float pass;      // its distance from the light, m, at least kLeastLampDistance
+  float more;      // what that raised the square of the distance by, m^2
   vec2 reached;    // part of the ray that range and cone reach, as s, m; empty where x >= y
 };
 
@@ -49,11 +46,10 @@ LocalRay localRay(LocalBlock light, vec3 direction, float end) {
   ray.closest = dot(light.position, direction);
   ray.nearest = ray.closest * direction - light.position;
   float pass = length(ray.nearest);
-  ray.pass = max(pass, kClosestPass);
-  ray.along = dot(direction, light.axis);
-  ray.across = dot(ray.nearest, light.axis);
+  ray.pass = max(pass, kLeastLampDistance);
+  ray.more = (ray.pass - pass) * (ray.pass + pass);
   ray.reached = clipToRange(vec2(-ray.closest, end - ray.closest), pass, opaque(light.range));
-  if (opaque(light.kind) == kLocalSpot) ray.reached = clipToCone(ray.reached, pass, ray.along, ray.across, light.cosOuter);
+  if (opaque(light.kind) == kLocalSpot) ray.reached = clipToCone(ray.reached, direction, ray.nearest, light.axis, light.cosOuter, light.sinOuter);
   return ray;
 }
 
@@ -61,9 +57,10 @@ LocalRay localRay(LocalBlock light, vec3 direction, float end) {
 vec3 localRest(LocalBlock light, LocalRay ray, float s, float angle, float sigma_t, float g) {
   float d2 = s * s + ray.pass * ray.pass;
   float d = sqrt(d2);
-  float cosine = (ray.across + s * ray.along) / d;
+  bool spot = opaque(light.kind) == kLocalSpot;
+  float versine = spot ? versineToAxis(ray.nearest + s * ray.direction, light.axis, d2, ray.more) : 0.0;
   return lightColour(light, ray.direction, ray.closest + s, angle * d2 / ray.pass) *
-         (localAttenuation(d2, opaque(light.range), cosine, light.coneScale, light.coneOffset) * phaseHenyeyGreenstein(-s / d, g) *
+         (localAttenuation(d2, opaque(light.range), versine, light.coneOuter, light.coneScale) * phaseHenyeyGreenstein(-s / d, g) *
           exp(-sigma_t * (ray.closest + s + d)));
 }
 
@@ -94,19 +91,25 @@ vec3 restOverAngle(LocalBlock light, LocalRay ray, float a, float b, float sigma
   return sum * half_;
 }
 
+// Rays of which the light sees less than this, rad (lib/local_light.glsl has a series for such turns).
+const float kNarrowAngle = 0.2;
+
 // The sum by `steps` strata of equal angle at the light.
 vec3 marchedByAngle(LocalBlock light, sampler2DArray shadowMap, LocalRay ray, float sigma_t, float g, int steps, float offset) {
   if (ray.reached.x >= ray.reached.y) return vec3(0.0);
   // The angle starts at the end that is farther from the light, where it is small and must be exact: side = 1 is the ray's far end.
   float side = ray.reached.x + ray.reached.y >= 0.0 ? 1.0 : -1.0;
-  vec2 at = normalize(vec2(side > 0.0 ? ray.reached.y : -ray.reached.x, ray.pass));
-  float width = angleBetween(ray.pass, ray.reached.x, ray.reached.y) / float(steps);
+  vec2 start = normalize(vec2(side > 0.0 ? ray.reached.y : -ray.reached.x, ray.pass));
+  float whole = angleBetween(ray.pass, ray.reached.x, ray.reached.y);
+  float width = whole / float(steps);
   vec2 turn = turnBy(width);
   vec2 sample_ = turnBy((offset - 0.5) * width);
   vec2 half_ = turnBy(0.5 * width);
-  at = turned(at, half_);
+  vec2 at = turned(start, half_);
   vec3 sum = vec3(0.0);
   for (int i = 0; i < steps; ++i) {
+    // Rounding of turns that are added up would be much of a narrow beam: there each stratum is turned to at once.
+    if (whole < kNarrowAngle) at = turned(start, turnBy((float(i) + 0.5) * width));
     vec2 visible = turned(at, sample_);
     float s = side * ray.pass * visible.x / max(visible.y, 1e-9);
     if (!localBlockedFrom(light, shadowMap, ray.nearest + clamp(s, ray.reached.x, ray.reached.y) * ray.direction)) {

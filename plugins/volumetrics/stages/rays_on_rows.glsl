@@ -7,6 +7,9 @@
 // at 23. A debug view that needs the functions only defines TY_OWN_MAIN; one that defines TY_SHOWN, a vec4 with A >= 0, has that stored instead of the radiance.
 const int kRowNearest = 0, kRowLinear = 1, kRowMipmapped = 2;
 const int kMostBlockSteps = 2048;
+// Strata of the march that a light near the eye is left to. Of the worst view that was found, slats before a spot 1 m from the eye, 16, 32,
+// 64, 128 leave errors of 0.07, 0.036, 0.017, 0.009 (nRMSE).
+const int kNearbySteps = 64;
 
 #include "stages/rows.glsl"
 #include "stages/rays.glsl"
@@ -117,13 +120,23 @@ bool inEpipoleBlock(vec2 pixel) {
   return min(max(a.x, a.y), max(b.x, b.y)) <= float(frame.rectified.epipole_block);
 }
 
+// ds/d^2 over dpsi, 1/(D sin(theta)): one over the distance at which the light is passed. Where that is less than kLeastLampDistance, the whole
+// integral of ds/d^2 with that instead, over the whole angle.
+float perAngle(RowRay ray, float end) {
+  float pass = light.distance * max(ray.sine, 1e-6);
+  if (pass >= kLeastLampDistance) return 1.0 / pass;
+  float nearest = light.distance * cos(ray.theta);
+  return angleBetween(kLeastLampDistance, -nearest, end - nearest) /
+         (kLeastLampDistance * max(angleBetween(pass, -nearest, end - nearest), 1e-12));
+}
+
 // What reaches the eye along [0, end], m, over sigma_s, phase function (of a sun) and the light's strength. For a sun the integral of
 // visible transmittance; for other lights that of visible localWeight() over D sin(theta).
 vec3 visibleIntegral(RowRay ray, float end) {
   float sigma_t = frame.rays.sigma_t;
   if (kLocal) {
     if (ray.whole <= 0.0) return vec3(0.0);
-    return meanVisibility(ray) * (ray.whole / (light.distance * max(ray.sine, 1e-6)));
+    return meanVisibility(ray) * (ray.whole * perAngle(ray, end));
   }
   float safeSine = max(ray.sine, 1e-7);
   float enter = min(ray.first / safeSine, end);
@@ -143,6 +156,11 @@ vec3 visibleIntegral(RowRay ray, float end) {
 }
 
 #ifndef TY_OWN_MAIN
+vec3 nearbyMarched(vec3 direction, float end) {
+  LocalRay ray = localRay(light.local, direction, end);
+  return marchedByAngle(light.local, shadowMap, ray, frame.rays.sigma_t, opaque(frame.rays.g), kNearbySteps, 0.5);
+}
+
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
   if (any(greaterThanEqual(pixel, uvec2(imageSize(scatter))))) return;
@@ -158,6 +176,8 @@ void main() {
   if (opaque(frame.rectified.epipole_block) > 0 && inEpipoleBlock(vec2(pixel) + 0.5)) {
     integral = kLocal ? denselyMarchedLocal(light.local, shadowMap, direction, end, sigma_t, opaque(frame.rays.g), kMostBlockSteps)
                       : denselyMarched(light.sun, shadowMap, direction, end, sigma_t, kMostBlockSteps);
+  } else if (kLocal && opaque(light.nearby) >= 1.0) {
+    integral = nearbyMarched(direction, end);
   } else {
     integral = visibleIntegral(rowRay(local, end, interpolate), end);
     // Klehm et al. 2014, section 3.1: what the row says of the stretch up to the camera's near plane is taken off again.
@@ -166,6 +186,7 @@ void main() {
       integral -= visibleIntegral(rowRay(local, near, interpolate), near);
     }
     if (kLocal) integral *= light.local.intensity;
+    if (kLocal && opaque(light.nearby) > 0.0) integral = mix(integral, nearbyMarched(direction, end), light.nearby);
   }
   vec3 radiance = frame.rays.albedo * sigma_t * max(integral, vec3(0.0));
   if (!kLocal) radiance *= phaseHenyeyGreenstein(local.z, opaque(frame.rays.g)) * light.sun.irradiance * light.map.share;

@@ -43,6 +43,7 @@ struct RectifiedLightBlock {
   float distance;             // of a spot or point light from the eye, m
   float thetaLow, thetaHigh;  // inclinations that the table of unshadowed integrals covers, rad
   CookieBlock cookie;
+  float nearby;  // of a spot or point light: share of a march in the result, which a light near the eye is left to
   // A reference ray of a spot or point light gives no column less than these leave it: optical depth of the way, and
   // share of the range's window.
   float mostWay, leastWindow;

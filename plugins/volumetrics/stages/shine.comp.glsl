@@ -44,8 +44,7 @@ void main() {
   vec3 strength = vec3(1.0);
   vec3 middle = onLightRay(s, slice, column + 0.5);
   if (kLocal && opaque(light.local.kind) == kLocalSpot) {
-    float cone = clamp(dot(middle, light.local.axis) * light.local.coneScale + light.local.coneOffset, 0.0, 1.0);
-    strength *= cone * cone;
+    strength *= coneAttenuation(versineToAxis(middle, light.local.axis, 1.0, 0.0), light.local.coneOuter, light.local.coneScale);
   }
   if (kColoured && opaque(light.cookie.faces) != 0u) {
     vec3 along = onLightRay(s, slice, column + 1.0) - onLightRay(s, slice, column);

@@ -43,7 +43,9 @@ vec2 localSpan(vec2 direction, vec2 theta) {
   vec2 span = vec2(0.0, kPi - theta.x);
   if (opaque(light.local.kind) == kLocalSpot) {
     vec3 e = direction.x * light.map.e1 + direction.y * light.map.e2;
-    vec2 cone = coneAngles(-dot(light.sun.towards, light.local.axis), dot(e, light.local.axis), light.local.cosOuter);
+    vec3 normal = direction.x * light.map.e2 - direction.y * light.map.e1;
+    vec2 cone = coneAngles(-dot(light.sun.towards, light.local.axis), dot(e, light.local.axis), dot(normal, light.local.axis),
+                           light.local.cosOuter, light.local.sinOuter);
     span = vec2(max(span.x, cone.x), min(span.y, cone.y));
   }
   float range = opaque(light.local.range);

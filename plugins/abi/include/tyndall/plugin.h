@@ -1,4 +1,4 @@
-/* Tyndall plugin ABI, version 1.2. One header, C11 and C++20, no other dependency.
+/* Tyndall plugin ABI, version 1.3. One header, C11 and C++20, no other dependency.
  *
  * A plugin is a shared library with one exported symbol, `tyndall_plugin` (a TyPlugin). It owns no GPU object and
  * calls no graphics API: it describes, as plain data, the images, buffers and passes that its host makes and runs for
@@ -23,6 +23,7 @@
  *   TY_SOURCE_SHADOW_MOMENTS and TyStructure.shadow_moments_format; images that lights shine through
  * (TyStructure.light_cookies, TyLight.cookie_*, TY_SOURCE_LIGHT_COOKIE) and TY_SAMPLER_LINEAR_MIPMAP_REPEAT.
  * - New in 1.2: TyDebugView.role.
+ * - New in 1.3: TyLight.cone_inner, cone_outer.
  * - Units: metres, radians, seconds; linear colour; matrices column-major, named result_from_source; view space looks
  *   down -Z, +Y up; clip space is Vulkan's (x right, y down, z in [0, 1]); depth of the scene is reversed (1 at the
  *   near plane, 0 at the far plane or where nothing was drawn).
@@ -39,7 +40,7 @@ extern "C" {
 #endif
 
 #define TY_ABI_MAJOR 1u
-#define TY_ABI_MINOR 2u
+#define TY_ABI_MINOR 3u
 #define TY_ABI_VERSION ((TY_ABI_MAJOR << 16) | TY_ABI_MINOR)
 #define TY_ABI_MAJOR_OF(version) ((version) >> 16)
 #define TY_ABI_MINOR_OF(version) ((version)&0xffffu)
@@ -425,6 +426,9 @@ typedef struct TyLight {
   float cookie_from_world[16];
   uint32_t cookie_faces; /* 0: no image, the rest means nothing; 1; 6 for a point light */
   uint32_t cookie_repeats;
+  /* Since 1.3: half angles of a spot light's cone, 0 <= inner <= outer <= pi/2, equal for a hard edge. cos_inner and
+   * cos_outer say the same, but have no digits left for cones of less than a degree. Outer 0: an older host. */
+  float cone_inner, cone_outer;
 } TyLight;
 
 typedef struct TyFrame {
