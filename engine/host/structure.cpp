@@ -141,6 +141,8 @@ TyLight makeLight(const render::ShadowedLight& shadowed) {
   copyMatrix(l.cookie_from_world, shadowed.cookieFromWorld);
   l.cookie_faces = shadowed.cookieFaces;
   l.cookie_repeats = shadowed.cookieRepeats;
+  l.cone_inner = light.innerConeAngle;
+  l.cone_outer = light.outerConeAngle;
   return l;
 }
 
