@@ -9,10 +9,10 @@ namespace tyndall::editor {
 namespace {
 
 constexpr float kMaxIntensity = 1e7f, kMaxEmissive = 1e5f;
-constexpr float kMinCone = 1, kMaxCone = 89.9f, kConeGap = 0.1f;  // degrees: the inner cone is smaller than the outer
-constexpr float kMinScale = 1e-3f, kMaxScale = 1e3f;              // of either sign: a mirrored node stays mirrored
-constexpr float kMaxHeight = 89.9f;                               // degrees: straight up has no azimuth
-constexpr float kRoom = 90;                                       // points that the names take
+constexpr float kMinCone = 0.01f, kMaxCone = 89.9f, kConeGap = 0;  // degrees
+constexpr float kMinScale = 1e-3f, kMaxScale = 1e3f;               // of either sign: a mirrored node stays mirrored
+constexpr float kMaxHeight = 89.9f;                                // degrees: straight up has no azimuth
+constexpr float kRoom = 90;                                        // points that the names take
 
 bool number(const char* name, const std::string& place, float& value, float speed, float low, float high,
             const char* format, Workspace& workspace) {
