@@ -50,8 +50,8 @@ TEST(SceneEdits, SharedLightsAreEditedApartAndTheFileComesBack) {
   MaterialEdit material = file.materials[1];
   material.roughness = 0.25f;
   setMaterial(scene, 1, material);
-  EXPECT_EQ(scene::placedLights(scene, scene::worldMatrices(scene, 0))[1].light.intensity, 7);
-  EXPECT_EQ(scene::placedLights(scene, scene::worldMatrices(scene, 0))[0].light.intensity, 1);
+  EXPECT_EQ(scene::placedLights(scene, 0)[1].light.intensity, 7);
+  EXPECT_EQ(scene::placedLights(scene, 0)[0].light.intensity, 1);
   EXPECT_EQ(positionOf(scene, 0), glm::vec3(4, 5, 6));
   EXPECT_EQ(scene.materials[1].roughness, 0.25f);
   EXPECT_EQ(scene.nodes[3].scale, glm::vec3(-1.5f, 3, 1.5f));

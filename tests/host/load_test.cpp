@@ -67,8 +67,8 @@ TEST(Load, theTemplateIsAPlugin) {
 
 TEST(Load, refusesInOneLine) {
   const std::pair<const char*, const char*> cases[] = {
-      {"newer_major", "built for plugin ABI 2.0; this program takes 1.2"},
-      {"newer_minor", "built for plugin ABI 1.3; this program takes 1.2"},
+      {"newer_major", "built for plugin ABI 2.0; this program takes 1.3"},
+      {"newer_minor", "built for plugin ABI 1.4; this program takes 1.3"},
       {"zero_struct", "id"},
       {"no_symbol", "no symbol 'tyndall_plugin'"},
       {"init_fails", "its init failed: I do not want to; not today"},

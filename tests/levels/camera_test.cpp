@@ -14,8 +14,8 @@ constexpr float kAspect = 16.0f / 9.0f;
 struct Views {
   explicit Views(const scene::Scene& level) : scene(level) {
     const std::vector<glm::mat4> world = scene::worldMatrices(scene, 0);
-    cameras = scene::placedCameras(scene, world);
-    lights = scene::placedLights(scene, world);
+    cameras = scene::placedCameras(scene, 0);
+    lights = scene::placedLights(scene, 0);
     toSun = -lights.at(0).direction;
   }
   glm::vec3 ray(int camera, float x, float y) const {  // x, y in [-1, 1]
@@ -179,7 +179,7 @@ TEST(Cameras, OfTheTowerHaveTheSunBehindIt) {
   EXPECT_LT(atTheTower.y, 15.2f);
   int lit = 0, shaded = 0;
   for (double t = 0; t < tower.scene.animations.at(0).duration; t += 0.2) {
-    const auto cameras = scene::placedCameras(tower.scene, scene::worldMatrices(tower.scene, t));
+    const auto cameras = scene::placedCameras(tower.scene, t);
     const glm::vec3 at(cameras.at(3).worldFromView[3]);
     const bool dark = blocked(solid, at, tower.toSun) || blocked(openwork, at, tower.toSun);
     ++(dark ? shaded : lit);

@@ -99,7 +99,7 @@ TEST_F(HallShell, OpeningsAreOpen) {
 /// Separate shafts: along the middle of the hall light and shade take turns, once a window.
 TEST_F(HallShell, SunlightFallsInAsOneShaftAWindow) {
   const scene::Scene scene = makeHall();
-  const std::vector<scene::LightView> lights = scene::placedLights(scene, scene::worldMatrices(scene, 0));
+  const std::vector<scene::LightView> lights = scene::placedLights(scene, 0);
   ASSERT_EQ(lights.size(), 1u);
   const glm::vec3 toSun = -lights[0].direction;
   const glm::vec2 across{toSun.x, toSun.y};

@@ -14,7 +14,7 @@ namespace tyndall::levels {
 namespace {
 
 std::vector<scene::LightView> lightsOf(const scene::Scene& scene, double seconds = 0) {
-  return scene::placedLights(scene, scene::worldMatrices(scene, seconds));
+  return scene::placedLights(scene, seconds);
 }
 
 /// A direction within `angle` of the axis, uniform over the solid angle.

@@ -13,9 +13,7 @@ std::vector<Triangle> named(const scene::Scene& scene, const std::string& name) 
   return trianglesOf(scene, 0, [&](const scene::Node& node) { return node.name == name; });
 }
 
-glm::vec3 toSun(const scene::Scene& scene) {
-  return -scene::placedLights(scene, scene::worldMatrices(scene, 0)).at(0).direction;
-}
+glm::vec3 toSun(const scene::Scene& scene) { return -scene::placedLights(scene, 0).at(0).direction; }
 
 TEST(Terrain, HasGroundEverywhereWhereItsPlanSays) {
   const std::vector<Triangle> ground = named(makeTerrain(), "ground");

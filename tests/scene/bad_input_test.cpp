@@ -286,7 +286,7 @@ TEST(CheckScene, FindsWhatAnImporterMustNotHandOut) {
   EXPECT_NE(complaint([](Scene& s) { s.images = {{"", 2, 2, {1, 2, 3}}}; }), "");
   EXPECT_NE(complaint([](Scene& s) { s.textures = {{0, {}}}; }), "");
   EXPECT_NE(complaint([](Scene& s) { s.cameras = {{"", 0, 1, {}}}; }), "");
-  EXPECT_NE(complaint([](Scene& s) { s.lights = {{"", LightKind::kSpot, glm::vec3(1), 1, {}, 0.5f, 0.5f}}; }), "");
+  EXPECT_NE(complaint([](Scene& s) { s.lights = {{"", LightKind::kSpot, glm::vec3(1), 1, {}, 0.6f, 0.5f}}; }), "");
   EXPECT_NE(complaint([](Scene& s) { s.nodes[0].rotation = glm::quat(2, 0, 0, 0); }), "");
 }
 

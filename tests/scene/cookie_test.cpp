@@ -124,7 +124,7 @@ TEST(Cookies, TurnWithTheirNodeWithoutItsScale) {
   s.nodes[1].light = 0;
   s.nodes[1].rotation =
       glm::angleAxis(0.5f * 3.14159265f, glm::vec3(0, 1, 0)) * glm::angleAxis(0.5f * 3.14159265f, glm::vec3(0, 0, 1));
-  const auto lights = placedLights(s, worldMatrices(s, 0));
+  const auto lights = placedLights(s, 0);
   ASSERT_EQ(lights.size(), 1u);
   const glm::mat3& frame = lights[0].worldFromLight;
   // Rolled first (right becomes up, up left), then turned from -z to -x about y: left is then +z.

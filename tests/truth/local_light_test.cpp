@@ -14,9 +14,9 @@ double integrand(const scene::LightView& view, const Ray& ray, const truth::Medi
   if (light.range) attenuation *= std::max(std::min(1 - std::pow(d / *light.range, 4), 1.0), 0.0);
   if (light.kind == scene::LightKind::kSpot) {
     const double cosInner = std::cos(double{light.innerConeAngle}), cosOuter = std::cos(double{light.outerConeAngle});
-    const double scale = 1 / std::max(0.001, cosInner - cosOuter);
     const double cd = glm::dot(toPoint / d, glm::normalize(glm::dvec3(view.direction)));
-    const double angular = std::min(std::max(cd * scale - cosOuter * scale, 0.0), 1.0);
+    const double linear = cosInner > cosOuter ? (cd - cosOuter) / (cosInner - cosOuter) : cd > cosOuter ? 1 : 0;
+    const double angular = std::min(std::max(linear, 0.0), 1.0);
     attenuation *= angular * angular;
   }
   const double cosine = glm::dot(toPoint / d, -ray.direction);
@@ -69,6 +69,8 @@ TEST(TruthLocalLight, pointIsTheIntegral) {
 TEST(TruthLocalLight, spotIsTheIntegral) {
   compareWithQuadrature(spotAt({2, 5, 0.6f}, {0, -1, 0.1f}, 0.2f, 0.5f), "down", 1e-4);
   compareWithQuadrature(spotAt({2, 5, 0.6f}, {0, -1, 0.1f}, 0.0f, 0.05f), "narrow", 1e-4);
+  // The falloff's width is 0.0004 in cosines.
+  compareWithQuadrature(spotAt({2, 5, 0.6f}, {0, -1, 0.1f}, 0.04f, 0.05f), "narrow, with a steep edge", 1e-3);
   compareWithQuadrature(spotAt({8, 2, 0}, {-1, 0, 0.1f}, 0.3f, 0.9f), "towards the eye", 1e-4);
   compareWithQuadrature(spotAt({-6, 1, 2}, {1, 0, 0}, 0.3f, 1.5707963f), "along the view, half a sphere", 1e-4);
   auto ranged = spotAt({2, 5, 0.6f}, {0, -1, 0.1f}, 0.2f, 0.5f);

@@ -7,14 +7,15 @@
 #include <gtest/gtest.h>
 
 #include "lib/cpp.hpp"
+#include "shared/lamp.h"
 
 using namespace tyndall::lib;
 
 namespace {
 
 struct Case {
-  glm::dvec3 light, axis, direction;
-  double cosOuter, range, closest, pass, along, across;
+  glm::dvec3 light, axis, direction, nearest;
+  double outer, range, closest, pass, aim;
 };
 
 Case random(std::mt19937& source) {
@@ -23,16 +24,33 @@ Case random(std::mt19937& source) {
   const auto vector = [&] { return glm::dvec3(normal(source), normal(source), normal(source)); };
   Case c;
   c.light = 5.0 * vector();
-  c.axis = glm::normalize(vector());
   c.direction = glm::normalize(vector());
-  c.cosOuter = std::cos(0.01 + 1.55 * uniform(source));
+  c.outer = std::exp(std::lerp(std::log(1.7e-4), std::log(1.56), uniform(source)));  // 0.01 to 89 degrees
+  // A narrow cone meets few rays: aimed to pass this point by half of its width.
+  c.aim = 12 * uniform(source);
+  c.axis = uniform(source) < 0.2
+               ? glm::normalize(vector())
+               : glm::normalize(glm::normalize(c.aim * c.direction - c.light) + 0.5 * c.outer * vector());
+  // The engine's directions are floats.
+  c.axis = glm::normalize(glm::dvec3(glm::vec3(c.axis)));
   c.range = uniform(source) < 0.5 ? 0 : 10 * uniform(source);
   c.closest = glm::dot(c.light, c.direction);
-  const glm::dvec3 nearest = c.closest * c.direction - c.light;
-  c.pass = glm::length(nearest);
-  c.along = glm::dot(c.direction, c.axis);
-  c.across = glm::dot(nearest, c.axis);
+  c.nearest = c.closest * c.direction - c.light;
+  c.pass = glm::length(c.nearest);
   return c;
+}
+
+template <class Real>
+glm::vec<2, Real> reachedPart(const Case& c, double end) {
+  using Vector = glm::vec<3, Real>;
+  const glm::vec<2, Real> whole(-c.closest, end - c.closest);
+  const Vector direction(c.direction), nearest(c.nearest), axis(c.axis);
+  const auto cosine = static_cast<Real>(std::cos(c.outer)), sine = static_cast<Real>(std::sin(c.outer));
+  if constexpr (std::is_same_v<Real, double>)
+    return f64::clipToCone(f64::clipToRange(whole, c.pass, c.range), direction, nearest, axis, cosine, sine);
+  else
+    return f32::clipToCone(f32::clipToRange(whole, Real(c.pass), Real(c.range)), direction, nearest, axis, cosine,
+                           sine);
 }
 
 // The inverse of the tables in Vulkan's "Cube Map Face Selection": from face and place back to the direction.
@@ -67,64 +85,72 @@ TEST(LocalLightMaths, ReachedPartIsWhatTheConeAndRangeHold) {
   for (int i = 0; i < 20000; ++i) {
     const Case c = random(source);
     const double end = 12;
-    const f64::Real2 whole(-c.closest, end - c.closest);
-    const f64::Real2 part =
-        f64::clipToCone(f64::clipToRange(whole, c.pass, c.range), c.pass, c.along, c.across, c.cosOuter);
-    const f32::Real2 rough = f32::clipToCone(f32::clipToRange(f32::Real2(whole), float(c.pass), float(c.range)),
-                                             float(c.pass), float(c.along), float(c.across), float(c.cosOuter));
+    const glm::dvec2 part = reachedPart<double>(c, end);
+    const glm::vec2 rough = reachedPart<float>(c, end);
     for (int k = 0; k < 50; ++k) {
-      const double t = end * (k + 0.5) / 50, s = t - c.closest;
+      // Half of the points over the ray, half of them close to where the cone was aimed.
+      const double beam = 4 * c.outer * glm::distance(c.aim * c.direction, c.light);
+      const double t = k % 2 ? end * (k + 0.5) / 50 : c.aim + beam * (k / 25.0 - 1);
+      if (t < 0 || t > end) continue;
+      const double s = t - c.closest;
       const glm::dvec3 w = t * c.direction - c.light;
-      const double margin = glm::dot(w, c.axis) - c.cosOuter * glm::length(w);
+      const double angle = std::atan2(glm::length(glm::cross(w, c.axis)), glm::dot(w, c.axis));
       const double inRange = c.range == 0 ? 1 : c.range - glm::length(w);
-      if (std::abs(margin) < 1e-4 || std::abs(inRange) < 1e-4) continue;
-      const bool inside = margin > 0 && inRange > 0;
+      if (std::abs(angle / c.outer - 1) < 1e-4 || std::abs(inRange) < 1e-4) continue;
+      const bool inside = angle < c.outer && inRange > 0;
       ++all;
       lit += inside;
       wrong += inside != (s > part.x && s < part.y);
-      wrongFloat += inside != (s > rough.x && s < rough.y);
+      if (std::abs(angle / c.outer - 1) < 0.05) continue;
+      wrongFloat += inside != (static_cast<float>(s) > rough.x && static_cast<float>(s) < rough.y);
     }
   }
   EXPECT_GT(lit, all / 50);
   EXPECT_EQ(wrong, 0);
-  EXPECT_LE(wrongFloat, all / 100000) << all;
+  EXPECT_LE(wrongFloat, all / 10000) << all;
 }
 
 // Rays that no random case meets: along the axis, through the light, parallel to the cone's side.
 TEST(LocalLightMaths, SpecialRaysThroughACone) {
   const f64::Real2 whole(-10, 10);
   const double c = std::cos(0.5), s = std::sin(0.5);
+  const auto clipped = [&](const glm::dvec3& direction, const glm::dvec3& nearest) {
+    return f64::clipToCone(whole, direction, nearest, {0, 0, 1}, c, s);
+  };
   // Along the axis, 1 m beside it: inside from where the cone is 1 m wide.
-  f64::Real2 part = f64::clipToCone(whole, 1, 1, 0, c);
+  f64::Real2 part = clipped({0, 0, 1}, {1, 0, 0});
   EXPECT_NEAR(part.x, c / s, 1e-12);
   EXPECT_EQ(part.y, 10);
-  part = f64::clipToCone(whole, 1, -1, 0, c);
+  part = clipped({0, 0, -1}, {1, 0, 0});
   EXPECT_EQ(part.x, -10);
   EXPECT_NEAR(part.y, -c / s, 1e-12);
   // Through the light itself, along and across the axis.
-  part = f64::clipToCone(whole, 0, 1, 0, c);
+  part = clipped({0, 0, 1}, {0, 0, 0});
   EXPECT_NEAR(part.x, 0, 1e-12);
   EXPECT_EQ(part.y, 10);
-  part = f64::clipToCone(whole, 0, 0, 0, c);
+  part = clipped({1, 0, 0}, {0, 0, 0});
   EXPECT_GE(part.x, part.y);
   // Across the axis 1 m before and behind the light.
-  part = f64::clipToCone(whole, 1, 0, 1, c);
+  part = clipped({1, 0, 0}, {0, 0, 1});
   EXPECT_NEAR(part.x, -s / c, 1e-12);
   EXPECT_NEAR(part.y, s / c, 1e-12);
-  part = f64::clipToCone(whole, 1, 0, -1, c);
+  part = clipped({1, 0, 0}, {0, 0, -1});
   EXPECT_GE(part.x, part.y);
-  // Parallel to the side (along = cos), met once, and everything ahead (behind) is inside; on the other side of the
-  // light, never.
-  part = f64::clipToCone(whole, 1, c, s, c);
+  // Parallel to the side, met once, and everything ahead (behind) is inside; on the other side of the light, never.
+  part = clipped({s, 0, c}, {-c, 0, s});
   EXPECT_NEAR(part.x, 1 / std::tan(1.0), 1e-12);
   EXPECT_EQ(part.y, 10);
-  part = f64::clipToCone(whole, 1, -c, s, c);
+  part = clipped({s, 0, -c}, {c, 0, s});
   EXPECT_EQ(part.x, -10);
   EXPECT_NEAR(part.y, -1 / std::tan(1.0), 1e-12);
-  part = f64::clipToCone(whole, 1, -c, -s, c);
+  part = clipped({s, 0, -c}, {-c, 0, -s});
   EXPECT_GE(part.x, part.y);
-  part = f64::clipToCone(whole, 1, c, -s, c);
+  part = clipped({s, 0, c}, {c, 0, -s});
   EXPECT_GE(part.x, part.y);
+  // Half a sphere ends at a plane.
+  part = f64::clipToCone(whole, {0, 0, 1}, {1, 0, 0}, {0, 0, 1}, 0, 1);
+  EXPECT_NEAR(part.x, 0, 1e-12);
+  EXPECT_EQ(part.y, 10);
 }
 
 TEST(LocalLightMaths, AnglesKeepTheirDigits) {
@@ -158,15 +184,37 @@ TEST(LocalLightMaths, TurningOnThroughAllStrataArrivesAtTheEnd) {
     }
 }
 
-// KHR_lights_punctual's formulas, written out.
-TEST(LocalLightMaths, AttenuationIsTheExtensions) {
-  const double inner = 0.3, outer = 0.6;
-  const double scale = 1 / std::max(0.001, std::cos(inner) - std::cos(outer)), offset = -std::cos(outer) * scale;
-  EXPECT_EQ(f64::localAttenuation(4, 0, -1, 0, 1), 1);
-  EXPECT_NEAR(f64::localAttenuation(4, 4, -1, 0, 1), 1 - std::pow(2.0 / 4, 4), 1e-14);
-  EXPECT_EQ(f64::localAttenuation(25, 4, -1, 0, 1), 0);
-  EXPECT_EQ(f64::localAttenuation(1, 0, std::cos(0.2), scale, offset), 1);
-  EXPECT_EQ(f64::localAttenuation(1, 0, std::cos(0.7), scale, offset), 0);
-  const double share = (std::cos(0.45) - std::cos(outer)) / (std::cos(inner) - std::cos(outer));
-  EXPECT_NEAR(f64::localAttenuation(1, 0, std::cos(0.45), scale, offset), share * share, 1e-12);
+// KHR_lights_punctual's formulas, written out in long double, against float: 0.01 degrees to half a sphere, on the
+// axis, inside the inner cone, between both, outside; and a hard edge.
+TEST(LocalLightMaths, AttenuationIsTheExtensionsForConesOfAnyWidth) {
+  std::mt19937 source(5);
+  std::normal_distribution<double> normal;
+  const auto vector = [&] { return glm::dvec3(normal(source), normal(source), normal(source)); };
+  constexpr double kRadians = std::numbers::pi / 180;
+  for (const double outer : {0.01 * kRadians, 0.2 * kRadians, 1 * kRadians, 3 * kRadians, 0.6, 90 * kRadians})
+    for (const double innerShare : {0.0, 0.5, 0.98, 1.0})
+      for (const double share : {0.0, 0.3, 0.49, 0.75, 0.96, 1.04, 1.9})
+        for (int i = 0; i < 20; ++i) {
+          const double inner = innerShare * outer, angle = share * outer;
+          const glm::vec3 axis(glm::normalize(vector()));
+          const glm::dvec3 z = glm::normalize(glm::dvec3(axis)), x = glm::normalize(glm::cross(vector(), z));
+          const glm::vec3 from(5.0 * (std::cos(angle) * z + std::sin(angle) * x));
+          const tyndall::shared::ConeFalloff cone = tyndall::shared::coneFalloff(inner, outer);
+          const float d2 = glm::dot(from, from);
+          const float found =
+              f32::localAttenuation(d2, 0, f32::versineToAxis(from, axis, d2, 0), cone.outer, cone.scale);
+          const long double cosInner = std::cos(static_cast<long double>(inner)),
+                            cosOuter = std::cos(static_cast<long double>(outer)),
+                            cosine = std::cos(static_cast<long double>(angle));
+          const long double linear = cosInner == cosOuter
+                                         ? (cosine > cosOuter ? 1 : 0)
+                                         : std::clamp((cosine - cosOuter) / (cosInner - cosOuter), 0.0L, 1.0L);
+          // Directions as floats are off by 1e-7 rad or so: by the slope, which is 2 angle/(outer^2 - inner^2).
+          const double slope = 2 * angle / std::max(outer * outer - inner * inner, 1e-12);
+          EXPECT_NEAR(found, static_cast<double>(linear * linear), 1e-5 + 2 * slope * 2e-7)
+              << outer / kRadians << " degrees, inner " << innerShare << ", at " << share;
+        }
+  EXPECT_EQ(f64::localAttenuation(4, 0, 0, 1, 1), 1) << "a point light";
+  EXPECT_NEAR(f64::localAttenuation(4, 4, 0, 1, 1), 1 - std::pow(2.0 / 4, 4), 1e-14);
+  EXPECT_EQ(f64::localAttenuation(25, 4, 0, 1, 1), 0);
 }

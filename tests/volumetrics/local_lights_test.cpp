@@ -32,6 +32,8 @@ TyLight spotLight(const glm::vec3& position, const glm::vec3& direction, float o
   light.range = range;
   light.cos_inner = std::cos(0.5f * outer);
   light.cos_outer = std::cos(outer);
+  light.cone_inner = 0.5f * outer;
+  light.cone_outer = outer;
   light.face_count = 1;
   light.shadow_size = 512;
   for (int i = 0; i < 4; ++i) light.shadow_clip_from_world[0][i * 5] = 1;
@@ -162,13 +164,18 @@ TEST(LocalLights, BlockIsRelativeToTheEye) {
   EXPECT_NEAR(block.depthScale - block.depthOffset / along, h.z / h.w, 1e-5);
   // Cone: 1 up to the inner angle, 0 from the outer one.
   const auto cone = [&](float angle) {
-    return std::clamp(std::cos(angle) * block.coneScale + block.coneOffset, 0.0f, 1.0f);
+    return std::clamp((block.coneOuter - (1 - std::cos(angle))) * block.coneScale, 0.0f, 1.0f);
   };
   EXPECT_NEAR(cone(0.3f), 1, 1e-5);
   EXPECT_NEAR(cone(0.6f), 0, 1e-5);
+  // A host of before the angles has cosines alone.
+  TyLight older = light;
+  older.struct_size = offsetof(TyLight, cone_inner);
+  EXPECT_NEAR(localBlock(older, eye).coneOuter, block.coneOuter, 1e-6);
+  EXPECT_NEAR(localBlock(older, eye).coneScale, block.coneScale, 1e-3 * block.coneScale);
   light.kind = TY_LIGHT_POINT;
-  EXPECT_EQ(localBlock(light, eye).coneScale, 0);
-  EXPECT_EQ(localBlock(light, eye).coneOffset, 1);
+  EXPECT_EQ(localBlock(light, eye).coneScale, 1);
+  EXPECT_EQ(localBlock(light, eye).coneOuter, 1);
 }
 
 // Never a light left out that a view ray meets; and most of those that none meets are.
@@ -188,8 +195,9 @@ TEST(LocalLights, ReachesViewAgreesWithSampledRays) {
     for (int k = 0; k < 3000 && !met; ++k) {
       const float x = 2 * uniform(source) - 1, y = 2 * uniform(source) - 1, t = rays.zfar * uniform(source);
       const glm::vec3 w = t * (rays.forward + x * rays.right + y * rays.up) - block.position;
-      met = tyndall::lib::f32::localAttenuation(glm::dot(w, w), block.range, glm::dot(w, block.axis) / glm::length(w),
-                                                block.coneScale, block.coneOffset) > 0;
+      using namespace tyndall::lib::f32;
+      const float versine = block.kind == kLocalSpot ? versineToAxis(w, block.axis, glm::dot(w, w), 0) : 0;
+      met = localAttenuation(glm::dot(w, w), block.range, versine, block.coneOuter, block.coneScale) > 0;
     }
     const bool reaches = reachesView(block, rays);
     EXPECT_TRUE(reaches || !met) << i;
@@ -240,6 +248,24 @@ TEST_F(Frame, ALightThatReachesNoViewRayCostsNoPass) {
   prepare({unseen});
   EXPECT_TRUE(skipped("march local"));
   EXPECT_FALSE(skipped("clear"));
+}
+
+// A lamp near the eye is left to a march in the pass that writes the result: no rows are made for it.
+TEST_F(Frame, ALampNearTheEyeCostsNoRows) {
+  const TyLight beside = spotLight({0.3f, 0, 0}, {0, 0, -1}, 0.5f, 0),
+                fading = spotLight({1.5f, 0, 0}, {0, 0, -1}, 0.5f, 0), far = spotLight(kAhead, kAway, 0.5f, 0);
+  for (const Technique& each : techniques()) {
+    technique(each.id);
+    ask({TY_LIGHT_SPOT});
+    if (!each.localLights || pass("rectify") == nullptr) continue;
+    prepare({beside, fading, far});
+    for (const char* name : {"slices", "rectify", "unshadowed", "shine", "lit"}) {
+      EXPECT_TRUE(skipped(name, 0)) << each.id << ' ' << name;
+      EXPECT_FALSE(skipped(name, 1)) << each.id << ' ' << name;
+      EXPECT_FALSE(skipped(name, 2)) << each.id << ' ' << name;
+    }
+    for (std::uint32_t light = 0; light < 3; ++light) EXPECT_FALSE(skipped("evaluate", light)) << each.id;
+  }
 }
 
 // Levels without cookies neither bind one nor have its code in their pipelines.

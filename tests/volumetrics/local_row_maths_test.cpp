@@ -61,13 +61,32 @@ TEST(LocalRow, ConeAnglesAreThoseInsideTheCone) {
     const double z = 2 * unit(random) - 1, turn = 2 * kPi * unit(random), r = std::sqrt(1 - z * z);
     const double x = r * std::cos(turn);
     const double cosOuter = 0.05 + 0.9 * unit(random), psi = kPi * unit(random);
-    const f64::Real2 span = f64::coneAngles(-z, x, cosOuter);
+    const f64::Real2 span = f64::coneAngles(-z, x, r * std::sin(turn), cosOuter, std::sqrt(1 - cosOuter * cosOuter));
     const double cosine = x * std::sin(psi) - z * std::cos(psi);
     if (std::abs(cosine - cosOuter) < 1e-9) continue;
     EXPECT_EQ(cosine > cosOuter, psi > span.x && psi < span.y) << z << ' ' << x << ' ' << cosOuter << ' ' << psi;
     inside += cosine > cosOuter ? 1 : 0;
   }
   EXPECT_GT(inside, 2000);
+}
+
+// A beam of a hundredth of a degree across the slice's plane, in float: as wide as it is, by spherical trigonometry.
+TEST(LocalRow, NarrowConesKeepTheirWidth) {
+  for (const double outer : {1.7e-4, 1e-3, 0.02})
+    for (const double share : {0.0, 0.5, 0.9, 1.1})
+      for (const double middle : {0.3, 1.2, 2.9}) {
+        const double beside = std::sin(share * outer), within = std::cos(share * outer);
+        const f32::Real2 span = f32::coneAngles(
+            static_cast<float>(within * std::cos(middle)), static_cast<float>(within * std::sin(middle)),
+            static_cast<float>(beside), static_cast<float>(std::cos(outer)), static_cast<float>(std::sin(outer)));
+        const double half = share < 1 ? std::acos(std::cos(outer) / within) : -1;
+        if (share > 1) {
+          EXPECT_GT(span.x, span.y) << outer;
+          continue;
+        }
+        EXPECT_NEAR(span.y - span.x, 2 * half, 0.01 * half) << outer << ' ' << share;
+        EXPECT_NEAR(0.5f * (span.x + span.y), middle, 1e-6) << outer << ' ' << share;
+      }
 }
 
 // The projected sphere's bounding rectangle, by points all over the sphere.

@@ -90,6 +90,56 @@ TEST_F(LightingTest, PointLightFallsOffWithDistanceRangeAndCone) {
   EXPECT_EQ(direct(spotLight(place + glm::vec3(0, 2, 0), place + glm::vec3(2, 0, 0), 10, 0.5f)), 0);
 }
 
+// Cones from a hundredth of a degree to half a sphere, with a soft and a hard edge, from a slant: where a cone is full
+// it is as bright as a point light, and KHR_lights_punctual's falloff is met in every pixel; no shadow of the floor on
+// itself.
+TEST_F(LightingTest, ConesOfAnyWidthAreFullInside) {
+  Floor floor;
+  const glm::vec3 place(0.3f, 0, 0.4f), lamp = place + glm::vec3(1.2f, 2.4f, -0.9f);
+  constexpr double kRadians = 3.14159265358979 / 180;
+  for (const double degrees : {0.01, 0.2, 1.0, 2.0, 3.0, 20.0, 60.0, 90.0})
+    for (const double share : {0.5, 1.0}) {
+      const double outer = degrees * kRadians, inner = share * outer;
+      // So that the cone is a quarter of the picture's height.
+      const scene::CameraView camera = lookAt({0.1f, 3, 2}, place, static_cast<float>(std::min(8 * outer, 1.2)));
+      scene::LightView spot = spotLight(lamp, place, 10, static_cast<float>(outer));
+      spot.light.innerConeAngle = static_cast<float>(inner);
+      const Shot none = stage().render(floor.level.scene, camera, {});
+      const Shot round = stage().render(floor.level.scene, camera, {pointLight(lamp, 10)});
+      const Shot cone = stage().render(floor.level.scene, camera, {spot});
+      const View view = makeView(camera, cone.width, cone.height);
+      // Corners of the shadow filters' footprints, of either light, may touch the floor in maps of coarse texels.
+      const double tolerance = degrees < 10 ? 0.01 : 0.12;
+      int inside = 0, outside = 0, wrong = 0;
+      for (std::uint32_t y = 0; y < cone.height; ++y)
+        for (std::uint32_t x = 0; x < cone.width; ++x) {
+          const glm::vec2 ndc = (glm::vec2(x, y) + 0.5f) / 32.0f - 1.0f;
+          const glm::dvec3 ray(glm::dmat4(view.worldFromView) * glm::dvec4(ndc.x * double{view.viewFromClip[0][0]},
+                                                                           ndc.y * double{view.viewFromClip[1][1]}, -1,
+                                                                           0));
+          const glm::dvec3 eye(view.eye), at = eye - ray * (eye.y / ray.y);
+          if (ray.y >= 0 || std::max(std::abs(at.x), std::abs(at.z)) > 7.5) continue;
+          const glm::dvec3 from = glm::normalize(at - glm::dvec3(lamp)),
+                           axis = glm::normalize(glm::dvec3(spot.direction));
+          const double angle = std::atan2(glm::length(glm::cross(from, axis)), glm::dot(from, axis));
+          const double full = round.at(x, y).r - none.at(x, y).r, found = (cone.at(x, y).r - none.at(x, y).r) / full;
+          if (full < 1e-3) continue;
+          // A pixel's place is known to a thousandth of the cone or so.
+          const auto falloff = [&](double a) {
+            const double linear = inner < outer ? (std::cos(a) - std::cos(outer)) / (std::cos(inner) - std::cos(outer))
+                                                : (a < outer ? 1.0 : 0.0);
+            return std::pow(std::clamp(linear, 0.0, 1.0), 2);
+          };
+          const double low = falloff(angle + 0.01 * outer), high = falloff(angle - 0.01 * outer);
+          inside += angle<0.98 * inner, outside += angle> 1.02 * outer;
+          wrong += found < low - tolerance || found > high + tolerance;
+        }
+      EXPECT_GT(inside, 25) << degrees;
+      EXPECT_GT(outside, degrees < 20 ? 100 : -1) << degrees;
+      EXPECT_LE(wrong, degrees < 10 ? 0 : 30) << degrees << " degrees, inner " << share;
+    }
+}
+
 TEST_F(LightingTest, ManyShadowedLightsAddUp) {
   Floor floor;
   floor.level.quad({0.5f, 1.5f, 0}, {0.4f, 0, 0}, {0, 0, -0.4f}, 0);
