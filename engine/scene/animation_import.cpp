@@ -25,6 +25,17 @@ glm::vec4 unitQuaternion(const glm::vec4& q, const std::string& what, Warnings& 
   return {0, 0, 0, 1};
 }
 
+/// Whether a spline's tangents, which count by the time between two keys, may lead beyond what any node can stand at.
+bool leadsAstray(const AnimationChannel& channel) {
+  if (channel.interpolation != Interpolation::kCubicSpline) return false;
+  for (std::size_t k = 0; k + 1 < channel.times.size(); ++k) {
+    const double duration = double{channel.times[k + 1]} - double{channel.times[k]};
+    for (const glm::vec4& tangent : {channel.values[3 * k + 2], channel.values[3 * (k + 1)]})
+      if (glm::length(glm::dvec4(tangent)) * duration > double{kMaxExtent}) return true;
+  }
+  return false;
+}
+
 /// Keys and values; keys that do not advance in time are left out.
 void readKeys(const Document& document, const document::AnimationSampler& sampler, const std::string& what,
               AnimationChannel& out, Warnings& warnings) {
@@ -97,6 +108,8 @@ void importAnimations(const Document& document, std::span<const std::int32_t> sc
         continue;
       }
       if (imported.times.empty()) continue;
+      if (leadsAstray(imported))
+        warnings.count("splines that lead too far", what, "where one does, its node stays at rest");
       out.duration = std::max(out.duration, imported.times.back());
       out.channels.push_back(std::move(imported));
     }

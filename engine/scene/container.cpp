@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/json_shape.hpp"
 #include "scene/limits.hpp"
 
 namespace tyndall::scene {
@@ -66,28 +67,8 @@ Container openContainer(std::span<const std::byte> file, Warnings& warnings) {
 }
 
 void checkJsonShape(std::string_view json) {
-  std::size_t depth = 0, values = 1;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    switch (json[i]) {
-      case '"':
-        // Data URIs make strings of many megabytes: skip to the next unescaped quotation mark.
-        for (++i; i < json.size() && json[i] != '"'; ++i)
-          if (json[i] == '\\') ++i;
-        break;
-      case '{':
-      case '[':
-        ++values;
-        if (++depth > kMaxJsonDepth) refuse("its JSON nests deeper than " + std::to_string(kMaxJsonDepth) + " levels");
-        break;
-      case '}':
-      case ']':
-        if (depth > 0) --depth;
-        break;
-      case ',': ++values; break;
-      default: break;
-    }
-    if (values > kMaxJsonValues) refuse("its JSON has more than " + std::to_string(kMaxJsonValues) + " values");
-  }
+  const std::string problem = jsonShapeProblem(json, kMaxJsonValues);
+  if (!problem.empty()) refuse("its JSON " + problem);
 }
 
 }  // namespace tyndall::scene

@@ -15,6 +15,12 @@ struct Refusal {
 };
 [[noreturn]] inline void refuse(std::string reason) { throw Refusal{std::move(reason)}; }
 
+/// Thrown where a file reaches for what lies outside its folder: no broken part, and nothing of it is shown.
+struct Escape {
+  std::string reason;
+};
+[[noreturn]] inline void refuseEscape(std::string reason) { throw Escape{std::move(reason)}; }
+
 /// Text of the file for use in a message: control characters escaped, cut after 80 bytes, in quotation marks.
 std::string inQuotes(std::string_view text);
 /// The same without the marks and with a longer limit, for messages of libraries.

@@ -1,6 +1,7 @@
 #include <new>
 
 #include "base/file.hpp"
+#include "base/hash.hpp"
 #include "import_parts.hpp"
 #include "parse_gltf.hpp"
 #include "scene/check.hpp"
@@ -60,11 +61,15 @@ void warnOfLostDirections(const Scene& scene, Warnings& warnings) {
 
 Import import(const std::filesystem::path& path, std::vector<std::byte> file) {
   Warnings warnings;
+  Hash content;
+  content.bytes(file);
   Prepared prepared = prepare(openContainer(file, warnings), path, file.size(), warnings);
   file = {};  // everything needed has been copied out
   const bool hasMeshes = prepared.hasMeshes;
+  const std::uint64_t contentHash = prepared.contentHash;
   document::Document document = parseGltf(std::move(prepared), warnings);
   Import out;
+  out.contentHash = content.add(contentHash).value();
   out.scene.exposure = document.exposure;
   importMaterials(document, out.scene, warnings);
   const std::vector<std::int32_t> sceneNode = importNodes(document, out.scene, warnings);
@@ -89,6 +94,8 @@ Result<Import> loadGltf(const std::filesystem::path& path) {
     return import(path, file.take());
   } catch (const Refusal& refusal) {
     return failed(path.string() + ": " + refusal.reason);
+  } catch (const Escape& escape) {
+    return failed(path.string() + ": " + escape.reason);
   } catch (const std::bad_alloc&) {
     return failed(path.string() + ": there is not enough memory to load it");
   } catch (const std::exception& error) {

@@ -345,6 +345,7 @@ Prepared prepare(const Container& container, const std::filesystem::path& path, 
   Fetcher fetcher{container, Resources(path, fileSize), warnings};
   fetcher.buffers(document, out);
   fetcher.images(document, out);
+  out.contentHash = fetcher.resources.contentHash();
   out.json = document.dump();
   out.hasMeshes = raw.contains("meshes") && !raw["meshes"].empty();
   return out;

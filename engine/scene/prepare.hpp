@@ -18,6 +18,7 @@ struct Prepared {
   std::vector<std::vector<std::byte>> buffers;  ///< empty: the bytes are absent (a placeholder of an extension)
   std::vector<std::vector<std::byte>> images;   ///< encoded; empty: no material shows it
   std::vector<std::string> imageNames;          ///< how messages call each image
+  std::uint64_t contentHash = 0;                ///< of the files beside the level that were read
   bool hasMeshes = false;                       ///< the file has some, be they broken
 };
 

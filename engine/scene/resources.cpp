@@ -111,22 +111,22 @@ std::vector<std::byte> Resources::load(const std::string& uri, const std::string
 
 std::vector<std::byte> Resources::loadFile(const std::string& uri, const std::string& what) {
   const std::string subject = what + " " + inQuotes(uri);
-  if (hasScheme(uri)) refuse(subject + ": network and other addresses are not read; only files beside the level");
+  if (hasScheme(uri)) refuseEscape(subject + ": network and other addresses are not read; only files beside the level");
   std::string relative = percentDecoded(uri);
   std::replace(relative.begin(), relative.end(), '\\', '/');  // of exporters on Windows
   if (relative.find('\0') != std::string::npos) refuse(subject + ": not a file name");
   const fs::path asked(relative);
-  if (asked.is_absolute()) refuse(subject + ": absolute paths are not read; only files beside the level");
+  if (asked.is_absolute()) refuseEscape(subject + ": absolute paths are not read; only files beside the level");
   const auto inside = [&](const fs::path& path) {
     return std::mismatch(folder_.begin(), folder_.end(), path.begin(), path.end()).first == folder_.end();
   };
   // By its letters first: ".." may lead out and in again, and nothing outside is looked at on the way.
   const fs::path normal = (folder_ / asked).lexically_normal();
-  if (!inside(normal)) refuse(subject + ": leads outside the level's folder");
+  if (!inside(normal)) refuseEscape(subject + ": leads outside the level's folder");
   std::error_code missing;
   const fs::path resolved = fs::canonical(normal, missing);
   if (missing) refuse(subject + ": cannot be opened: " + missing.message());
-  if (!inside(resolved)) refuse(subject + ": is a link that leads outside the level's folder");
+  if (!inside(resolved)) refuseEscape(subject + ": is a link that leads outside the level's folder");
   auto bytes = readFile(resolved, kMaxFileBytes - used_);
   if (!bytes) {
     // The error starts with the resolved path; the level's author knows the URI.
@@ -135,6 +135,7 @@ std::vector<std::byte> Resources::loadFile(const std::string& uri, const std::st
     refuse(subject + ": " + oneLine(message.starts_with(prefix) ? message.substr(prefix.size()) : message));
   }
   used_ += bytes->size();
+  content_.add(bytes->size()).bytes(*bytes);
   return bytes.take();
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/hash.hpp"
 #include "import_log.hpp"
 
 namespace tyndall::scene {
@@ -20,11 +21,14 @@ class Resources {
   /// The bytes behind a glTF URI. `what` names it in refusals. Refused: schemes other than data:, absolute paths, "..",
   /// links that lead outside the folder, missing files, more than kMaxFileBytes in all.
   std::vector<std::byte> load(const std::string& uri, const std::string& what);
+  /// Of the bytes of every file that was read, in turn.
+  std::uint64_t contentHash() const { return content_.value(); }
 
  private:
   std::vector<std::byte> loadFile(const std::string& uri, const std::string& what);
   std::filesystem::path folder_;
   std::uint64_t used_ = 0;
+  Hash content_;
 };
 
 /// Percent-decoding (RFC 3986). Refuses nothing: a stray '%' stays as it is.

@@ -4,6 +4,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scene/limits.hpp"
 #include "scene/scene.hpp"
 #include "turn.hpp"
 
@@ -49,6 +50,8 @@ void apply(const Animation& animation, double seconds, std::vector<Pose>& poses)
   }
   for (const AnimationChannel& channel : animation.channels) {
     const glm::vec4 value = sample(channel, static_cast<float>(time));
+    // A spline between sound keys may lead anywhere, and past what a float holds: the node then stays at rest.
+    if (!glm::all(glm::lessThanEqual(glm::abs(value), glm::vec4(kMaxExtent)))) continue;
     Pose& pose = poses[channel.node];
     if (channel.target == AnimationTarget::kTranslation)
       pose.translation = value;
@@ -82,7 +85,12 @@ std::vector<glm::mat4> worldMatrices(const Scene& scene, double seconds) {
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
     const glm::mat4 parentFromNode = node.matrix ? *node.matrix : matrix(poses[i]);
-    worldFromNode[i] = node.parent == kNone ? parentFromNode : worldFromNode[node.parent] * parentFromNode;
+    const glm::mat4 world = node.parent == kNone ? parentFromNode : worldFromNode[node.parent] * parentFromNode;
+    // Scales of several nodes can multiply past what a float holds, at some time: such a node stays with its parent.
+    bool finite = true;
+    for (int column = 0; column < 4; ++column)
+      finite = finite && !glm::any(glm::isnan(world[column])) && !glm::any(glm::isinf(world[column]));
+    worldFromNode[i] = finite ? world : node.parent == kNone ? glm::mat4(1) : worldFromNode[node.parent];
   }
   return worldFromNode;
 }

@@ -1,6 +1,7 @@
 // glTF 2.0 import (.gltf and .glb) by tinygltf, which appears in gltf.cpp only.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ namespace tyndall::scene {
 
 struct Import {
   Scene scene;
+  std::uint64_t contentHash = 0;      ///< of the level's file and of every file beside it that was read
   std::vector<std::string> warnings;  ///< what was left out or repaired, one line each, without the path
 };
 

@@ -9,9 +9,8 @@ namespace tyndall::scene {
 
 /// Everything read for one level together: the file, its buffers, its encoded images. A .glb is at most 4 GiB.
 inline constexpr std::uint64_t kMaxFileBytes = 1ull << 30;
-/// JSON values in one file (a node takes about 15), and how deep they nest (levels reach 7, "extras" some more).
+/// JSON values in one file (a node takes about 15); how deep they nest: base/json_shape.hpp.
 inline constexpr std::size_t kMaxJsonValues = 4'000'000;
-inline constexpr std::size_t kMaxJsonDepth = 128;
 /// One image (8192 x 8192), and all images together: 4 bytes a pixel once decoded.
 inline constexpr std::uint64_t kMaxImagePixels = 1ull << 26;
 inline constexpr std::uint64_t kMaxTotalPixels = 1ull << 28;
