@@ -57,6 +57,7 @@ Result<Level> loadLevel(std::string_view text) {
   level.name = std::string(text);
   level.path = *path;
   level.scene = std::move(import->scene);
+  level.contentHash = import->contentHash;
   for (const std::string& warning : import->warnings) level.warnings.push_back(path->string() + ": " + warning);
   if (scene::placedCameras(level.scene, 0).empty())
     level.notes.push_back(path->string() +

@@ -15,6 +15,7 @@ struct Level {
   std::string name;  ///< the sample's name or the path, as it was asked for
   std::filesystem::path path;
   scene::Scene scene;
+  std::uint64_t contentHash = 0;      ///< of every file that was read for it
   std::vector<std::string> warnings;  ///< of the importer, each starting with the path
   std::vector<std::string> notes;     ///< "... has no camera ...", "... has no light ..."
 

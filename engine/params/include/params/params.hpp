@@ -54,8 +54,8 @@ class Table {
 
   std::span<const Parameter> parameters() const { return parameters_; }
   const Parameter* find(std::string_view id) const;
-  double value(std::string_view id) const;  ///< asserts that the id exists
-  bool changed(std::string_view id) const;  ///< differs from the default
+  double value(std::string_view id) const;     ///< asserts that the id exists
+  bool changed(std::string_view id) const;     ///< differs from the default
   bool isAssigned(std::string_view id) const;  ///< was set explicitly, be it to its default; asserts that the id exists
   Result<void> set(std::string_view id, double value);
   void reset(std::string_view id);  ///< to the default, as if it had never been set; asserts that the id exists
