@@ -1,6 +1,7 @@
 // results.json, written and read again.
 #include <nlohmann/json.hpp>
 
+#include "base/json_shape.hpp"
 #include "bench/results.hpp"
 
 namespace tyndall::bench {
@@ -133,6 +134,8 @@ std::string resultsJson(const Results& results) {
 }
 
 Result<Results> readResults(const std::string& json, const std::string& source) try {
+  if (const std::string problem = jsonShapeProblem(json); !problem.empty())
+    return failed(source + ": its JSON " + problem + "; results nest 6");
   const Json j = Json::parse(json);
   if (!j.is_object() || j.value("format", "") != "tyndall-bench")
     return failed(source + ": is no result of tyndall bench; a results.json would be right");

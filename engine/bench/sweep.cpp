@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
+#include "base/json_shape.hpp"
 
 namespace tyndall::bench {
 namespace {
@@ -190,6 +191,8 @@ std::filesystem::path sweepFolder() { return executableFolder() / "sweeps"; }
 Result<Sweep> readSweep(const std::string& text, const std::string& source) try {
   Sweep sweep;
   sweep.name = std::filesystem::path(source).stem().string();
+  if (const std::string problem = jsonShapeProblem(text); !problem.empty())
+    return badCall(source + ": its JSON " + problem + "; a sweep nests 5");
   readInto(sweep, Json::parse(text));
   return sweep;
 } catch (const Wrong& wrong) {

@@ -68,8 +68,7 @@ std::optional<Turn> turnTowardsLight(const std::vector<scene::LightView>& lights
 std::uint64_t levelHash(const std::string& level, const std::string& text) {
   Hash hash;
   hash.text(text);
-  if (auto path = app::findLevel(level))
-    if (auto bytes = readFile(*path)) hash.bytes(*bytes);
+  if (auto loaded = app::loadLevel(level)) hash.add(loaded->contentHash);
   return hash.value();
 }
 
@@ -78,8 +77,6 @@ Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, 
   auto view = app::chooseCamera(level, camera, seconds);
   if (!view) return view.error();
   *view = turned(*view, turn);
-  auto bytes = readFile(level.path);
-  if (!bytes) return bytes.error();
   char key[256];
   std::snprintf(key, sizeof key, "%s %u %ux%u %.17g %.17g %.17g %.17g %u", kGeneration, camera, size.first, size.second,
                 seconds, medium.sigma_t, medium.albedo, medium.g, samples);
@@ -90,7 +87,7 @@ Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, 
   // A camera without a far plane sees as far as the level reaches, which truths of the same key did not before.
   append("reach", view->camera.zfar ? 0 : 1);
   append("turned", turn.yaw), append("raised", turn.pitch);
-  const std::uint64_t hash = Hash().bytes(*bytes).text(key).value();
+  const std::uint64_t hash = Hash().add(level.contentHash).text(key).value();
   char name[32];
   std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hash));
   const std::filesystem::path cache = cacheFolder(), folder = cache / "truths";

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_shape.hpp"
 #include "results.hpp"
 #include "text.hpp"
 
@@ -185,6 +186,8 @@ bool Point::in(const std::string& plot) const { return std::find(plots.begin(), 
 
 Result<Results> readResults(const std::string& text) {
   const std::string subject = "benchmark results: ";
+  if (const std::string shape = jsonShapeProblem(text); !shape.empty())
+    return failed(subject + "the JSON " + shape + "; the text of a results.json is wanted");
   Json json;
   try {
     json = Json::parse(text);
