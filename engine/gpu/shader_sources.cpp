@@ -6,6 +6,7 @@
 
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "base/json_shape.hpp"
 
 namespace tyndall::gpu {
 namespace {
@@ -37,7 +38,7 @@ std::optional<ShaderSource> readShaderSource(const fs::path& json) {
   std::error_code none;
   if (!fs::is_regular_file(json, none)) return std::nullopt;
   const auto text = readText(json);
-  if (!text) return std::nullopt;
+  if (!text || !jsonShapeProblem(*text).empty()) return std::nullopt;
   const auto parsed = nlohmann::json::parse(*text, nullptr, false);
   if (!parsed.is_object()) return std::nullopt;
   const auto string = [](const nlohmann::json& value) {
