@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
+#include "base/json_shape.hpp"
 #include "base/log.hpp"
 #include "tuner.hpp"
 
@@ -13,7 +14,7 @@ std::map<std::string, double> read(const std::filesystem::path& file) {
   std::map<std::string, double> known;
   const auto text = tyndall::readText(file, 1u << 20);
   if (!text) return known;  // not there yet
-  const auto json = nlohmann::json::parse(*text, nullptr, false);
+  const auto json = jsonShapeProblem(*text).empty() ? nlohmann::json::parse(*text, nullptr, false) : nlohmann::json();
   if (!json.is_object()) {
     log::debug(file.string() + ": is damaged; speed variants are timed anew");
     return known;
