@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -29,7 +30,12 @@ bool forEachRow(std::uint32_t height, unsigned threads, const std::function<bool
     }
   };
   std::vector<std::jthread> workers;
-  for (unsigned i = 0; i < threads; ++i) workers.emplace_back(work);
+  try {
+    for (unsigned i = 0; i < threads; ++i) workers.emplace_back(work);
+  } catch (const std::system_error&) {
+    // The system gives no more of them: fewer do it, or this one alone, which then reports at the end only.
+    if (workers.empty()) work();
+  }
 
   constexpr auto kReportEvery = std::chrono::milliseconds(100);
   std::unique_lock lock(mutex);
