@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
+#include "base/json_shape.hpp"
 
 namespace tyndall::editor {
 namespace {
@@ -85,7 +86,7 @@ Settings SettingsFile::read(std::string& problem) {
     problem = text.error().message;  // unreadable, which renaming does not mend
     path_.clear();                   // nor is it written over
     return {};
-  } else {
+  } else if (reason = jsonShapeProblem(*text); reason.empty()) {
     try {
       const Settings settings = settingsFrom(Json::parse(*text));
       const bool budget = std::isfinite(settings.budgetMs) && settings.budgetMs > 0;
