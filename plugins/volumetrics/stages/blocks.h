@@ -39,15 +39,15 @@ const uint kLocalPoint = 2u;
 // / m in [-1, 1] and at depth depthScale - depthOffset / m: the projection's matrix without what is the same or zero in
 // every face, as a matrix chosen by a variable costs sixteen loads a sample.
 struct LocalBlock {
-  vec3 position;                // of the light minus the eye, world axes, m
-  vec3 intensity;               // cd
-  vec3 axis;                    // spot: unit, the way the light travels
-  float range;                  // m; 0: unlimited
-  float cosOuter, sinOuter;     // spot: of the outer cone's half angle
-  float coneOuter, coneScale;   // ConeFalloff (shared/lamp.h); 1 and 1 for a point light
-  uint kind;                    // kLocal...
-  float shadowSize;             // texels a side
-  float texelAngle;             // angle of the map's smallest texel as the light sees it, rad
+  vec3 position;               // of the light minus the eye, world axes, m
+  vec3 intensity;              // cd
+  vec3 axis;                   // spot: unit, the way the light travels
+  float range;                 // m; 0: unlimited
+  float cosOuter, sinOuter;    // spot: of the outer cone's half angle
+  float coneOuter, coneScale;  // ConeFalloff (shared/lamp.h); 1 and 1 for a point light
+  uint kind;                   // kLocal...
+  float shadowSize;            // texels a side
+  float texelAngle;            // angle of the map's smallest texel as the light sees it, rad
   float depthScale, depthOffset;
   vec3 faceX[6], faceY[6];
 };
@@ -98,8 +98,8 @@ struct RectificationBlock {
   uint segmentsByDistance;  // 1: an epipolar map in place of projective ones; its parts begin where theirs do, at these
                             // distances
   float segmentDistance[kMaxSegments + 1u];  // along e1, m, and each slice has its own columns there
-  float share;   // of the light that this map answers for: 1, but where one map fades into another
-  uint nearLit;  // 1: what lies before the first column is known to be lit; 0: it is not in the map
+  float share;       // of the light that this map answers for: 1, but where one map fades into another
+  uint nearLit;      // 1: what lies before the first column is known to be lit; 0: it is not in the map
   float inverse[5];  // projective: 1/x at the borders of the splits, 1/m, falling
   vec3 shadowAlong;  // change of shadow texel and depth per metre towards the light (x, y are 0)
   float reach;       // greatest distance from the axis at which light can be blocked, m
