@@ -1,6 +1,6 @@
 // What the engine and its plugins both make of a spot or point light (KHR_lights_punctual).
-// The cone is kept as 1 - cos(angle) = 2 sin^2(angle/2), not as the cosine, which has no digits left for narrow cones: a float's cosine
-// knows 0.01 degrees from 0 by a quarter of its last digit.
+// The cone is kept as 1 - cos(angle) = 2 sin^2(angle/2), not as the cosine, which has no digits left for narrow cones:
+// a float's cosine knows 0.01 degrees from 0 by a quarter of its last digit.
 #ifndef TYNDALL_SHARED_LAMP_H
 #define TYNDALL_SHARED_LAMP_H
 #include "shared/types.h"
@@ -14,8 +14,9 @@
 #endif
 TY_SHARED_BEGIN
 
-// The inverse square ends here, m: a surface nearer to a lamp counts as being this far off, a view ray that passes nearer as passing at
-// this distance (docs/conventions.md, "Near a lamp"). Without it light at the lamp itself would be infinite.
+// The inverse square ends here, m: a surface nearer to a lamp counts as being this far off, a view ray that passes
+// nearer as passing at this distance (docs/conventions.md, "Near a lamp"). Without it light at the lamp itself would be
+// infinite.
 TY_LAMP_CONSTANT float kLeastLampDistance = 1e-3f;
 
 #ifdef __cplusplus
@@ -28,8 +29,7 @@ struct ConeFalloff {
 };
 /// 0 <= inner <= outer <= pi/2. Equal angles make a hard edge; the scale stays finite.
 inline ConeFalloff coneFalloff(double inner, double outer) {
-  return {static_cast<float>(versine(outer)),
-          static_cast<float>(1 / std::max(1e-30, versine(outer) - versine(inner)))};
+  return {static_cast<float>(versine(outer)), static_cast<float>(1 / std::max(1e-30, versine(outer) - versine(inner)))};
 }
 #endif
 

@@ -14,9 +14,9 @@ const uint kLightDirectional = 0, kLightSpot = 1, kLightPoint = 2;
 struct LightCore {
   vec3 position;  // spot, point: world, m
   uint kind;
-  vec3 direction;   // directional, spot: unit, the way the light travels
-  float range;      // m; 0: unlimited
-  vec3 intensity;   // colour times intensity: lux (directional) or candela
+  vec3 direction;              // directional, spot: unit, the way the light travels
+  float range;                 // m; 0: unlimited
+  vec3 intensity;              // colour times intensity: lux (directional) or candela
   float coneOuter, coneScale;  // ConeFalloff (shared/lamp.h); 1 and 1 of a light without a cone
 };
 
