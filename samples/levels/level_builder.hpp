@@ -63,7 +63,10 @@ class LevelBuilder {
   /// A closed tour: eye and target at equal time steps, smooth in between; last point = first point.
   void animateTour(std::int32_t camera, const std::vector<std::pair<glm::vec3, glm::vec3>>& stops, float seconds);
 
-  scene::Scene take() { return std::move(scene_); }
+  scene::Scene take() {
+    scene_.exposure = 1;  // lit for the tone map as it is
+    return std::move(scene_);
+  }
 
  private:
   scene::Scene scene_;

@@ -19,9 +19,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   for (const levels::Sample& sample : levels::kSamples) {
-    scene::Scene level = sample.make();
-    level.exposure = 1;  // lit for the tone map as it is
-    const auto written = scene::writeGlb(level, folder / (std::string(sample.name) + ".glb"));
+    const auto written = scene::writeGlb(sample.make(), folder / (std::string(sample.name) + ".glb"));
     if (!written) {
       std::cerr << written.error().message << '\n';
       return 1;
