@@ -3,6 +3,7 @@
 
 #include "bench/report.hpp"
 #include "bench/results.hpp"
+#include "bench/sweep.hpp"
 
 namespace tyndall::bench {
 namespace {
@@ -42,6 +43,16 @@ Results sample() {
   r.points[1].baselineKey = "one";
   r.points[1].movedBytes = 987654321012u;
   return r;
+}
+
+TEST(Results, JsonThatNestsDeepIsRefusedInALine) {
+  const std::string deep(100000, '[');
+  const auto results = readResults(deep, "r.json");
+  ASSERT_FALSE(results);
+  EXPECT_NE(results.error().message.find("r.json: its JSON nests deeper than"), std::string::npos);
+  const auto sweep = readSweep("{\"name\": " + deep + "}", "s.json");
+  ASSERT_FALSE(sweep);
+  EXPECT_NE(sweep.error().message.find("s.json: its JSON nests deeper than"), std::string::npos);
 }
 
 TEST(Results, GoThereAndBack) {

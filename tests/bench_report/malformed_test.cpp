@@ -31,7 +31,7 @@ TEST(Malformed, WhatIsNoResultFile) {
   EXPECT_THAT(errorOf("null"), HasSubstr("the file is null"));
   EXPECT_THAT(errorOf("{}"), HasSubstr("format is nothing; \"tyndall-bench\" would be right"));
   EXPECT_THAT(errorOf("{\"format\": \"tyndall-bench\", \"version\": 1}"), HasSubstr("points is nothing; a list"));
-  EXPECT_THAT(errorOf(std::string(100000, '[')), HasSubstr("not valid JSON"));
+  EXPECT_THAT(errorOf(std::string(100000, '[')), HasSubstr("nests deeper than"));
   EXPECT_THAT(errorOf("{\"format\": \"tyndall-bench\", \"version\": 1e999, \"points\": []}"), HasSubstr("too large"));
   EXPECT_THAT(errorOf("{\"format\": \"\xff\xfe\"}"), HasSubstr("not valid JSON"));
 }

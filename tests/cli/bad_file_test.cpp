@@ -75,7 +75,7 @@ TEST_F(BadFile, Plugins) {
 }
 
 TEST_F(BadFile, PluginOfAnotherAbi) {
-  expectRefused({"describe", "--plugin-dir", TYNDALL_OTHER_ABI_DIR}, 1, {"volumetrics.so", "2.0", "1.2"});
+  expectRefused({"describe", "--plugin-dir", TYNDALL_OTHER_ABI_DIR}, 1, {"volumetrics.so", "2.0", "1.3"});
 }
 
 const Environment kNoDevice = {{"VK_ICD_FILENAMES", "/nonexistent.json"}, {"VK_DRIVER_FILES", "/nonexistent.json"}};

@@ -31,6 +31,7 @@ scene::Primitive box(const glm::vec3& half, std::int32_t material) {
 
 void writeTinyLevel(const std::filesystem::path& file) {
   scene::Scene scene;
+  scene.exposure = 1;  // pictures are compared, which must not adapt
   const auto add = [&](const char* name, const glm::vec3& at,
                        const glm::quat& rotation = {1, 0, 0, 0}) -> scene::Node& {
     scene::Node node;

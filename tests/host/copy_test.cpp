@@ -1,5 +1,6 @@
 // Where the copies of plugins are loaded from: memory, folders that may be full or noexec, the file itself.
 #include <csignal>
+#include <deque>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -58,12 +59,12 @@ TEST_F(Copy, leavesNothingOnDiskWhileItIsLoaded) {
 
 TEST_F(Copy, hundredTogetherAreHundredLibraries) {
   std::set<void*> handles;
-  std::vector<std::variant<LoadedCopy, NoCopy>> all;
+  std::deque<std::variant<LoadedCopy, NoCopy>> all;
   for (int i = 0; i < 100; ++i) {
     all.push_back(i % 2 ? loadFromMemory(good(), bytes_) : loadFromFolder(folder_.path(), good(), bytes_));
     ASSERT_TRUE(loaded(all.back())) << i;
     handles.insert(loaded(all.back())->handle);
-    if (i % 3 == 0) all.erase(all.begin());  // numbers of files are used again meanwhile
+    if (i % 3 == 0) all.pop_front();  // numbers of files are used again meanwhile
   }
   std::set<void*> alive;
   for (const auto& one : all) alive.insert(loaded(one)->handle);

@@ -29,6 +29,9 @@ struct Pair {
   int view = 0;  ///< of kViews
 };
 
+/// A linear map that stands where the light is: with few columns, or the sun near the screen, the epipolar one would.
+const Settings kLinear = {"volumetrics.rectification=linear", "volumetrics.columns=512"};
+
 struct View {
   const char* level;
   std::uint32_t camera;
@@ -43,14 +46,14 @@ const Pair kPairs[] = {
     {"min_max", "slices", Change::kPicture, "128", "256"},
     {"min_max", "slice_spacing", Change::kPicture, "azimuth", "border"},
     {"min_max", "column_spacing", Change::kPicture, "distance", "transmittance"},
-    {"min_max", "column_spacing", Change::kNothing, "distance", "transmittance", {"volumetrics.rectification=linear"}},
+    {"min_max", "column_spacing", Change::kNothing, "distance", "transmittance", kLinear, 2},
     {"exact", "column_spacing", Change::kPicture, "distance", "transmittance"},
     {"fourier", "column_spacing", Change::kPicture, "distance", "transmittance"},
     {"moments6", "column_spacing", Change::kPicture, "distance", "transmittance"},
     {"min_max", "row_filter", Change::kPicture, "nearest", "linear"},
     {"min_max", "row_filter", Change::kNothing, "linear", "mipmapped"},
-    {"min_max", "rectification", Change::kPicture, "linear", "epipolar"},
-    {"min_max", "splits", Change::kPicture, "1", "3", {"volumetrics.rectification=linear"}},
+    {"min_max", "rectification", Change::kPicture, "linear", "epipolar", {"volumetrics.columns=512"}, 2},
+    {"min_max", "splits", Change::kPicture, "1", "3", kLinear, 2},
     {"min_max", "splits", Change::kNothing, "1", "3"},  // epipolar maps are not split
     {"min_max", "near_correction", Change::kNothing, "false", "true"},
     {"min_max", "epipole_block", Change::kPicture, "0", "20", {}, 1},
@@ -88,14 +91,14 @@ const Pair kPairs[] = {
     {"fourier", "reference_rays", Change::kPicture, "1", "3"},
     {"moments4", "reference_rays", Change::kPicture, "1", "3"},
     {"moments4", "overestimation", Change::kPicture, "half", "upper"},
-    {"moments6", "near_correction", Change::kPicture, "false", "true", {"volumetrics.rectification=linear"}, 2},
+    {"moments6", "near_correction", Change::kPicture, "false", "true", kLinear, 2},
     {"exact", "levels", Change::kPicture, "4", "6"},
     {"exact", "levels", Change::kNothing, "0", "14"},
     {"exact", "columns", Change::kPicture, "100", "200"},
     {"exact", "slices", Change::kPicture, "128", "256"},
     {"exact", "slice_spacing", Change::kPicture, "azimuth", "border"},
-    {"exact", "rectification", Change::kPicture, "linear", "epipolar"},
-    {"exact", "splits", Change::kPicture, "1", "3", {"volumetrics.rectification=linear"}},
+    {"exact", "rectification", Change::kPicture, "linear", "epipolar", {"volumetrics.columns=512"}, 2},
+    {"exact", "splits", Change::kPicture, "1", "3", kLinear, 2},
     {"exact", "row_filter", Change::kPicture, "nearest", "linear"},
     {"exact", "row_filter", Change::kNothing, "linear", "mipmapped"},
     {"exact", "reference_rays", Change::kPicture, "1", "3"},

@@ -19,6 +19,25 @@ Scene oneNode(AnimationChannel channel, float duration) {
 }
 glm::vec3 translationAt(const Scene& s, double t) { return glm::vec3(worldMatrices(s, t)[0][3]); }
 
+// Sound keys a very long time apart: the tangents between them lead past what a float holds.
+TEST(Animations, WhatASplineYieldsIsSoundAtEveryTime) {
+  GltfFile file;
+  file.triangle();
+  const int times = file.floats({0, 1e30f}, "SCALAR");
+  const float m = 1e9f;
+  const int values = file.floats({m, -m, m, 0, 0, 0, m, m, -m, m, -m, m, 1, 2, 3, m, m, -m}, "VEC3");
+  file.json["animations"] = {{{"samplers", {{{"input", times}, {"output", values}, {"interpolation", "CUBICSPLINE"}}}},
+                              {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+  const auto loaded = file.load();
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  ASSERT_EQ(loaded->warnings.size(), 1u);
+  EXPECT_NE(loaded->warnings[0].find("lead too far"), std::string::npos) << loaded->warnings[0];
+  for (const double seconds : {0.0, 0.5, 1.0, 1e9, 3e29})
+    for (const glm::mat4& world : worldMatrices(loaded->scene, seconds))
+      for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) EXPECT_LE(std::abs(world[c][r]), 1e9f) << seconds;
+}
+
 TEST(Transforms, ComposeAsTranslationRotationScale) {
   Scene s;
   s.nodes.resize(2);

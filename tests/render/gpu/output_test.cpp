@@ -124,20 +124,29 @@ TEST_F(OutputTest, EveryDebugViewShowsSomething) {
   }
 }
 
-TEST_F(OutputTest, LightsBeyondTheBudgetAreNamed) {
+TEST_F(OutputTest, LightsBeyondTheBudgetHaveSmallerMapsAndOneLine) {
   const Level level = floorLevel();
   std::vector<scene::LightView> lights;
   for (int i = 0; i < 3; ++i) lights.push_back(pointLight({static_cast<float>(i), 3, 0}, 5));
   lights.push_back(sun({0, -1, 0}, 1));
   Stage::Options options;
-  options.settings.shadowResolution = 8192;  // 256 MiB a face: a sun and no point light fits 1 GiB
+  options.settings.shadowResolution = 8192;  // 256 MiB a face
   options.width = options.height = 8;
   FlatEffect effect({0, 0, 0, 1});
   options.effect = &effect;
   stage().render(level.scene, lookAt({0, 3, 4}, {0, 0, 0}), lights, options);
-  EXPECT_EQ(stage().renderer().notes().size(), 3u);
-  ASSERT_EQ(effect.lights.size(), 1u);
-  EXPECT_EQ(effect.lights[0].light.light.kind, scene::LightKind::kDirectional);
+  ASSERT_EQ(stage().renderer().notes().size(), 1u);
+  EXPECT_NE(stage().renderer().notes()[0].find("4 of 4 lights have smaller shadow maps"), std::string::npos)
+      << stage().renderer().notes()[0];
+  ASSERT_EQ(effect.lights.size(), 4u);
+  // Nineteen faces in the memory of four of 8192: the sun's, of the strongest light, is the largest.
+  for (const ShadowedLight& light : effect.lights) {
+    EXPECT_GE(light.size, 2048u);
+    EXPECT_LE(light.size, 4096u);
+    if (light.light.light.kind == scene::LightKind::kDirectional) {
+      EXPECT_EQ(light.size, 4096u);
+    }
+  }
 }
 
 }  // namespace
