@@ -134,7 +134,7 @@ const Schema kLightExtras{{object("cookie", kCookie)}};
 const Schema kLight{{text("name"), text("type", "directional|point|spot", true), factors("color", 3, kMaxColor),
                      factor("intensity", 0, kMaxIntensity), factor("range", 0, kMaxExtent), object("spot", kSpot),
                      freeObject("extras", kLightExtras)}};
-const Schema kLights{{objects("lights", kLight, R"({"type": "point", "intensity": 0})")}};
+const Schema kLights{{objects("lights", kLight, R"({"type": "broken"})")}};
 const Schema kDocumentExtensions{{object("KHR_lights_punctual", kLights)}};
 
 const Schema kTarget{{index("node", "nodes"), text("path", nullptr, true)}};

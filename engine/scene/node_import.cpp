@@ -8,7 +8,6 @@ namespace {
 
 using document::Document;
 
-/// Parent of each node, from the lists of children.
 constexpr const char* kTree = "nodes that stand in two places of the tree";
 constexpr const char* kTreeConsequence = "each stands where it is listed first";
 

@@ -16,8 +16,8 @@ constexpr std::string_view kSupported[] = {"KHR_lights_punctual",        "KHR_ma
                                            "KHR_materials_unlit",        "KHR_mesh_quantization",
                                            "KHR_node_visibility",        "KHR_texture_transform"};
 
-/// Extensions that only change how a surface looks or what is chosen among variants: a file that requires one is shown
-/// without it.
+/// Extensions without which a level is still itself (looks of surfaces, variants, pointers of animations, metadata): a
+/// file that requires one is shown without it.
 constexpr std::string_view kHarmless[] = {"KHR_materials_anisotropy",
                                           "KHR_materials_clearcoat",
                                           "KHR_materials_diffuse_transmission",
@@ -110,6 +110,25 @@ void checkViews(Json& document, Warnings& warnings) {
   }
 }
 
+/// Stand-ins of broken lights: no node shines with them any more.
+void dropBrokenLights(Json& document) {
+  const Json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
+  if (!document.contains(lights)) return;
+  std::set<std::size_t> broken;
+  for (std::size_t i = 0; i < document[lights].size(); ++i) {
+    Json& light = document[lights][i];
+    if (light["type"] != "broken") continue;
+    broken.insert(i);
+    light["type"] = "point";
+  }
+  for (std::size_t i = 0; !broken.empty() && document.contains("nodes") && i < document["nodes"].size(); ++i) {
+    const Json::json_pointer own("/extensions/KHR_lights_punctual/light");
+    Json& node = document["nodes"][i];
+    if (node.contains(own) && broken.contains(node[own].get<std::size_t>()))
+      node["extensions"].erase("KHR_lights_punctual");
+  }
+}
+
 /// Perspective cameras that lack what they need: nodes no longer show them.
 void dropBrokenCameras(Json& document, Warnings& warnings) {
   if (!document.contains("cameras")) return;
@@ -168,6 +187,7 @@ void dropEmptyAccessors(Json& document, Warnings& warnings) {
 
 /// What tinygltf insists on or looks at without care.
 void adapt(Json& document, Warnings& warnings) {
+  dropBrokenLights(document);
   dropBrokenCameras(document, warnings);
   dropEmptyAccessors(document, warnings);
   const Json::json_pointer lights("/extensions/KHR_lights_punctual/lights");

@@ -77,6 +77,22 @@ TEST(Tolerance, MembersOfAnotherTypeAreAsIfTheyWereNotThere) {
   EXPECT_TRUE(loaded->warnings[0].starts_with("broken values: 6, the first ")) << loaded->warnings[0];
 }
 
+TEST(Tolerance, ABrokenLightOrCameraIsNotThere) {
+  GltfFile file;
+  file.triangle();
+  file.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "laser"}}, {{"type", "point"}}};
+  file.json["cameras"] = {{{"type", "perspective"}},
+                          {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}};
+  for (const int i : {0, 1})
+    file.json["nodes"].push_back({{"camera", i}, {"extensions", {{"KHR_lights_punctual", {{"light", i}}}}}});
+  file.json["scenes"][0]["nodes"] = {0, 1, 2};
+  const auto loaded = file.load();
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  EXPECT_EQ(placedLights(loaded->scene, 0).size(), 1u);
+  EXPECT_EQ(placedCameras(loaded->scene, 0).size(), 1u);
+  EXPECT_EQ(loaded->warnings.size(), 2u);
+}
+
 /// A JPEG of one colour in four inks, each 0 (none) to 255, as Adobe's programs store it or plainly.
 std::string inksJpeg(const unsigned char (&inks)[4], bool adobe) {
   jpeg_compress_struct encoder;
