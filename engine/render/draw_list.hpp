@@ -28,10 +28,9 @@ struct Draw {
 
 struct DrawList {
   std::vector<shared::InstanceBlock> instances;
-  std::vector<Draw>
-      solid;  ///< opaque and alpha-tested, by pipeline, then front to back; these cast shadows where they may
-  std::vector<Draw> blended;  ///< back to front
-  scene::Bounds casters;      ///< of those of `solid` that cast shadows, world
+  std::vector<Draw> solid;    ///< opaque and alpha-tested, by pipeline, then front to back
+  std::vector<Draw> blended;  ///< back to front; these cast no shadows
+  scene::Bounds casters;      ///< of what casts shadows, world
 };
 
 DrawList buildDrawList(const scene::Scene& scene, const SceneResources& resources,

@@ -15,19 +15,27 @@ std::string label(const std::vector<scene::LightView>& lights, std::uint32_t ind
   return "light " + std::to_string(index) + (name.empty() ? "" : " '" + name + "'");
 }
 
-// Suns first, then by candela: unlike importance() the same wherever the camera is, as sizes of maps are a part of an
-// effect's layout.
-std::vector<std::uint32_t> byStrength(const std::vector<scene::LightView>& lights) {
-  const auto strength = [&](std::uint32_t i) {
-    const scene::Light& light = lights[i].light;
-    return std::max({light.color.r, light.color.g, light.color.b}) * light.intensity;
-  };
+/// Lux or candela of the strongest channel.
+double strength(const scene::LightView& light) {
+  return std::max({light.light.color.r, light.light.color.g, light.light.color.b}) * light.light.intensity;
+}
+
+// Irradiance at the eye without shadow and cone: a spot light that points elsewhere may still light what is seen.
+double importance(const View& view, const scene::LightView& light) {
+  if (light.light.kind == scene::LightKind::kDirectional) return strength(light);
+  const glm::dvec3 to = glm::dvec3(light.position) - glm::dvec3(view.eye);
+  return strength(light) / std::max(glm::dot(to, to), 0.01);
+}
+
+/// Indices of the lights: suns first, then those of the greatest `weight`.
+template <class Weight>
+std::vector<std::uint32_t> sunsFirst(const std::vector<scene::LightView>& lights, Weight&& weight) {
   std::vector<std::uint32_t> order(lights.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const bool sunA = lights[a].light.kind == scene::LightKind::kDirectional;
     const bool sunB = lights[b].light.kind == scene::LightKind::kDirectional;
-    return sunA != sunB ? sunA : strength(a) > strength(b);
+    return sunA != sunB ? sunA : weight(lights[a]) > weight(lights[b]);
   });
   return order;
 }
@@ -35,7 +43,8 @@ std::vector<std::uint32_t> byStrength(const std::vector<scene::LightView>& light
 /// Sides of all lights' maps that fit into the budget together; 0 for those that have no room at all.
 std::vector<std::uint32_t> sizesWithin(const std::vector<scene::LightView>& lights, std::uint32_t side, double budget,
                                        double texelBytes) {
-  const std::vector<std::uint32_t> order = byStrength(lights);
+  // By strength, not by importance: that changes with the camera, and sizes of maps are a part of an effect's layout.
+  const std::vector<std::uint32_t> order = sunsFirst(lights, strength);
   std::vector<std::uint32_t> sides(lights.size(), side);
   const auto bytes = [&](std::uint32_t i) {
     return texelBytes * sides[i] * sides[i] * (lights[i].light.kind == scene::LightKind::kPoint ? 6 : 1);
@@ -71,15 +80,6 @@ void tellTogether(const std::vector<scene::LightView>& lights,
   }
 }
 
-// Irradiance at the eye without shadow and cone: a spot light that points elsewhere may still light what is seen.
-double importance(const View& view, const scene::LightView& light) {
-  const double strength =
-      std::max({light.light.color.r, light.light.color.g, light.light.color.b}) * light.light.intensity;
-  if (light.light.kind == scene::LightKind::kDirectional) return strength;
-  const glm::dvec3 to = glm::dvec3(light.position) - glm::dvec3(view.eye);
-  return strength / std::max(glm::dot(to, to), 0.01);
-}
-
 shared::LightBlock makeBlock(const scene::LightView& view, const ShadowFit& fit, std::uint32_t shadowSize) {
   const scene::Light& light = view.light;
   shared::LightBlock block{};
@@ -106,14 +106,8 @@ shared::LightBlock makeBlock(const scene::LightView& view, const ShadowFit& fit,
 LightPlan planLights(const View& view, const std::vector<scene::LightView>& lights, const scene::Bounds& casters,
                      std::uint32_t shadowSize, std::uint64_t budgetBytes, double texelBytes) {
   LightPlan plan;
-  std::vector<std::uint32_t> order(lights.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const bool sunA = lights[a].light.kind == scene::LightKind::kDirectional;
-    const bool sunB = lights[b].light.kind == scene::LightKind::kDirectional;
-    if (sunA != sunB) return sunA;
-    return importance(view, lights[a]) > importance(view, lights[b]);
-  });
+  const std::vector<std::uint32_t> order =
+      sunsFirst(lights, [&](const scene::LightView& light) { return importance(view, light); });
 
   const std::vector<std::uint32_t> sides =
       sizesWithin(lights, shadowSize, static_cast<double>(budgetBytes), texelBytes);
