@@ -168,7 +168,7 @@ Result<void> measure(const app::BenchOptions& options) {
   auto catalogue = app::Catalogue::load(app::pluginFolder(options.pluginFolder));
   if (!catalogue) return catalogue.error();
   // Settings are checked before a device is opened.
-  if (auto planned = pointsOf(*sweep, **catalogue, "", 0); !planned) return planned.error();
+  if (auto planned = pointsOf(*sweep, **catalogue, "", 0, 0); !planned) return planned.error();
   auto stand = Stand::open(catalogue.take(), options.device);
   if (!stand) return stand.error();
   auto results = begin(options, folder, *sweep, (*stand)->session().device().info());
@@ -199,7 +199,8 @@ Result<void> measure(const app::BenchOptions& options) {
         outcome = set;
         break;
       }
-      auto planned = pointsOf(*sweep, (*stand)->catalogue(), levels[l], camera);
+      const std::uint64_t content = (*stand)->session().level()->contentHash;
+      auto planned = pointsOf(*sweep, (*stand)->catalogue(), levels[l], content, camera);
       if (!planned) {
         outcome = planned.error();
         break;

@@ -4,8 +4,7 @@
 #include <cstdio>
 #include <set>
 
-#include "app/level.hpp"
-#include "bench/truths.hpp"
+#include "base/hash.hpp"
 
 namespace tyndall::bench {
 namespace {
@@ -25,7 +24,8 @@ std::vector<std::string> builtTechniques(const params::Table& table) {
 
 class Planner {
  public:
-  Planner(const Sweep& sweep, app::Catalogue& catalogue, const std::string& level, std::uint32_t camera)
+  Planner(const Sweep& sweep, app::Catalogue& catalogue, const std::string& level, std::uint64_t content,
+          std::uint32_t camera)
       : sweep_(sweep), catalogue_(catalogue), level_(level), camera_(camera) {
     // What errors are taken against is a part of a point too: another truth, march or level file makes it another one.
     std::string text = std::to_string(sweep.errorSize.first) + "x" + std::to_string(sweep.errorSize.second) + " " +
@@ -33,7 +33,8 @@ class Planner {
                        std::to_string(sweep.motion.turn) + " " + std::to_string(sweep.motion.seconds);
     for (const auto& [id, value] : sweep.march) text += " " + id + "=" + value;
     char hash[20];
-    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(levelHash(level, text)));
+    std::snprintf(hash, sizeof hash, "%016llx",
+                  static_cast<unsigned long long>(Hash().text(text).add(content).value()));
     references_ = hash;
   }
 
@@ -152,8 +153,8 @@ class Planner {
 }  // namespace
 
 Result<std::vector<PlannedPoint>> pointsOf(const Sweep& sweep, app::Catalogue& catalogue, const std::string& level,
-                                           std::uint32_t camera) {
-  return Planner(sweep, catalogue, level, camera).plan();
+                                           std::uint64_t content, std::uint32_t camera) {
+  return Planner(sweep, catalogue, level, content, camera).plan();
 }
 
 Result<void> applySettings(params::Table& table, const Assignments& assignments) {

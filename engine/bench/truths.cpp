@@ -14,7 +14,7 @@ namespace tyndall::bench {
 namespace {
 
 /// Changes when the truth's own code does, so that old pictures are not taken for new ones.
-constexpr const char* kGeneration = "1";
+constexpr const char* kGeneration = "2";
 
 }  // namespace
 
@@ -65,13 +65,6 @@ std::optional<Turn> turnTowardsLight(const std::vector<scene::LightView>& lights
   return best;
 }
 
-std::uint64_t levelHash(const std::string& level, const std::string& text) {
-  Hash hash;
-  hash.text(text);
-  if (auto loaded = app::loadLevel(level)) hash.add(loaded->contentHash);
-  return hash.value();
-}
-
 Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, Size size, double seconds,
                       const truth::Medium& medium, std::uint32_t samples, const std::function<bool(double)>& progress) {
   auto view = app::chooseCamera(level, camera, seconds);
@@ -84,8 +77,6 @@ Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, 
     const std::size_t length = std::char_traits<char>::length(key);
     if (degrees != 0) std::snprintf(key + length, sizeof key - length, " %s %.9g", what, degrees);
   };
-  // A camera without a far plane sees as far as the level reaches, which truths of the same key did not before.
-  append("reach", view->camera.zfar ? 0 : 1);
   append("turned", turn.yaw), append("raised", turn.pitch);
   const std::uint64_t hash = Hash().add(level.contentHash).text(key).value();
   char name[32];
@@ -97,7 +88,7 @@ Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, 
     auto scatter = image::readExr(scatterFile);
     auto distance = image::readExr(distanceFile);
     if (scatter && distance && scatter->channels == 4 && distance->channels == 1 && scatter->width == size.first &&
-        distance->width == size.first)
+        distance->width == size.first && scatter->height == size.second && distance->height == size.second)
       return Truth{scatter.take(), std::move(distance->values)};
   }
   truth::Settings settings;

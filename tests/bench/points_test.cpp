@@ -16,7 +16,7 @@ struct Points : testing::Test {
     catalogue = loaded.take();
   }
   std::vector<PlannedPoint> plan(const Sweep& sweep) {
-    auto points = pointsOf(sweep, *catalogue, "level", 1);
+    auto points = pointsOf(sweep, *catalogue, "level", 1, 1);
     EXPECT_TRUE(points) << points.error().message;
     return points ? points.take() : std::vector<PlannedPoint>{};
   }
@@ -121,19 +121,19 @@ TEST_F(Points, WrongValuesAreNamed) {
   Sweep sweep;
   sweep.name = "mine";
   sweep.settings = {{"volumetrics.colums", "3"}};
-  auto points = pointsOf(sweep, *catalogue, "level", 0);
+  auto points = pointsOf(sweep, *catalogue, "level", 1, 0);
   ASSERT_FALSE(points);
   EXPECT_NE(points.error().message.find("mine"), std::string::npos);
   EXPECT_NE(points.error().message.find("volumetrics.columns"), std::string::npos);
   EXPECT_EQ(points.error().kind, ErrorKind::kBadCall);
   sweep.settings.clear();
   sweep.knobs = {{"volumetrics.step", {"3"}, {}, {}, {"knob"}}};
-  EXPECT_FALSE(pointsOf(sweep, *catalogue, "level", 0));
+  EXPECT_FALSE(pointsOf(sweep, *catalogue, "level", 1, 0));
   sweep.knobs = {{"volumetrics.steps", {"-3"}, {}, {}, {"knob"}}};
-  EXPECT_FALSE(pointsOf(sweep, *catalogue, "level", 0));
+  EXPECT_FALSE(pointsOf(sweep, *catalogue, "level", 1, 0));
   // The references are made for the medium that all points share.
   sweep.knobs = {{"medium.g", {"0.1"}, {}, {}, {"knob"}}};
-  auto medium = pointsOf(sweep, *catalogue, "level", 0);
+  auto medium = pointsOf(sweep, *catalogue, "level", 1, 0);
   ASSERT_FALSE(medium);
   EXPECT_NE(medium.error().message.find("medium.g"), std::string::npos);
 }

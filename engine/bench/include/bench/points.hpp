@@ -9,9 +9,9 @@
 
 namespace tyndall::bench {
 
-/// The points of one view, without figures. Every value is checked against the catalogue's table, which is left at its
-/// defaults. Points with the same `measurement` differ in what they are shown as alone. Errors: an unknown id or a
-/// refused value, named with the sweep's.
+/// The points of one view, without figures. `content`: app::Level::contentHash; another content, other points. Every
+/// value is checked against the catalogue's table, which is left at its defaults. Points with the same `measurement`
+/// differ in what they are shown as alone. Errors: an unknown id or a refused value, named with the sweep's.
 struct PlannedPoint {
   PointFigures figures;
   Assignments all;          ///< the sweep's settings and the point's own
@@ -19,7 +19,7 @@ struct PlannedPoint {
   bool motion = false;
 };
 Result<std::vector<PlannedPoint>> pointsOf(const Sweep& sweep, app::Catalogue& catalogue, const std::string& level,
-                                           std::uint32_t camera);
+                                           std::uint64_t content, std::uint32_t camera);
 
 /// Puts defaults and then `assignments` into the table.
 Result<void> applySettings(params::Table& table, const Assignments& assignments);

@@ -29,12 +29,9 @@ scene::CameraView turned(const scene::CameraView& start, Turn turn);
 std::optional<Turn> turnTowardsLight(const std::vector<scene::LightView>& lights, const scene::CameraView& camera,
                                      Size size);
 
-/// A number made of a level's file and a text; of the text alone if there is no such level.
-std::uint64_t levelHash(const std::string& level, const std::string& text);
-
-/// From <cache>/truths if it was made before: of the same level file (by content), camera and its turn, size, medium,
-/// samples and time; else rendered and kept there. A cache that cannot be written only costs time. `progress` as in
-/// truth::Settings.
+/// From <cache>/truths if it was made before: of the same level (by the content of every file of it), camera and its
+/// turn, size, medium, samples and time; else rendered and kept there. A cache that cannot be written only costs time.
+/// `progress` as in truth::Settings.
 Result<Truth> truthOf(const app::Level& level, std::uint32_t camera, Turn turn, Size size, double seconds,
                       const truth::Medium& medium, std::uint32_t samples, const std::function<bool(double)>& progress);
 
