@@ -175,7 +175,9 @@ Result<bool> Editor::step() {
   if (levelLost_) return *levelLost_;
   keepSettings();
 
-  if (pictureWanted()) {
+  const bool wanted = pictureWanted();
+  if (!wanted) stillTime_ = glfwGetTime();
+  if (wanted) {
     if (auto rendered = renderPicture(); !rendered) {
       if (!picture_) return rendered.error();  // there is nothing to go on with
       workspace_.tell(rendered.error().message, true);

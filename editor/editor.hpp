@@ -132,6 +132,7 @@ class Editor {
   bool timesTaken_ = true;      ///< of the newest picture
   double lastTime_ = 0;         ///< of the last step, seconds since the start
   double pictureTime_ = 0;      ///< of the newest picture
+  double stillTime_ = 0;        ///< when no picture was wanted last: an eye that rests has adapted
   bool memoryReturned_ = true;  ///< since then
 };
 

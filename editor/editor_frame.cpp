@@ -1,4 +1,5 @@
 // The editor's two frames: the picture into an image that is kept, and the window around it.
+#include <algorithm>
 #include <cstring>
 
 #define GLFW_INCLUDE_NONE
@@ -43,7 +44,7 @@ Result<void> Editor::renderPicture() {
   request.seconds = workspace_.seconds;
   request.debugView = workspace_.debugView;
   request.meter = true;
-  request.adaptSeconds = static_cast<float>(glfwGetTime() - pictureTime_);
+  request.adaptSeconds = static_cast<float>(glfwGetTime() - std::max(pictureTime_, stillTime_));
   gpu::Image next;
   if (!picture_ || picture_.desc().width != viewWidth_ || picture_.desc().height != viewHeight_) {
     gpu::ImageDesc desc{
