@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "pictures.hpp"
+#include "scene/gltf.hpp"
+#include "scene/write_glb.hpp"
 
 namespace tyndall::quality {
 namespace {
@@ -76,6 +78,51 @@ TEST_F(ClosedForm, OnePlateShadowsAlikeInEveryTechnique) {
     RecordProperty(settings[0], std::to_string(error));
     std::printf("one plate, %s: nRMSE %.4f\n", settings[0].c_str(), error);
     EXPECT_LT(error, settings[0].ends_with("march") ? 0.01 : 0.06) << settings[0];
+  }
+}
+
+// The plate told to cast no shadow, by its node or by its material, beside ground that may: the air is lit all over, in
+// the engine's maps, the plugin's and the truth.
+TEST_F(ClosedForm, WhatIsToldToCastNoShadowCastsNone) {
+  const std::string level = writeLevel("plate", {plate(-30, 30, -40, 20, 0), plate(-4, 4, -12, -2, 5)}, kTravel);
+  const image::FloatImage shadowed = truth(level, 256);
+  for (const bool byNode : {true, false}) {
+    auto import = scene::loadGltf(folder_ / level);
+    ASSERT_TRUE(import);
+    scene::Scene& s = import->scene;
+    scene::Primitive& above = s.meshes[0].primitives[1];
+    if (byNode) {
+      scene::Node own;
+      own.mesh = static_cast<std::int32_t>(s.meshes.size());
+      own.castsShadow = false;
+      s.nodes.push_back(own);
+      s.meshes.push_back({"plate", {above}});
+      s.meshes[0].primitives.pop_back();
+    } else {
+      above.material = static_cast<std::int32_t>(s.materials.size());
+      s.materials.push_back(s.materials[0]);
+      s.materials.back().castsShadow = false;
+    }
+    ASSERT_TRUE(scene::writeGlb(s, folder_ / "open.glb"));
+    // Of the distances that each of the two sees: they differ in pixels at the plate's edges.
+    const auto litUpTo = [](const image::FloatImage& depth) {
+      image::FloatImage picture{320, 180, 4, std::vector<float>(320 * 180 * 4)};
+      const glm::dvec3 towards = -glm::normalize(glm::dvec3(kTravel));
+      for (int y = 0; y < 180; ++y)
+        for (int x = 0; x < 320; ++x)
+          for (int c = 0; c < 3; ++c)
+            picture.at(x, y, c) = static_cast<float>(lit(depth.at(x, y, 0), glm::dot(ray(x, y), towards)));
+      return picture;
+    };
+    const cli::Outcome traced =
+        tyndall({"truth", "open.glb", "--size", "320x180", "--samples", "256", "--out", "t.exr", "--depth", "td.exr"});
+    ASSERT_EQ(traced.status, 0) << traced.err;
+    EXPECT_LT(nRmse(read("t.exr"), litUpTo(read("td.exr"))), 1e-3) << byNode;
+    const image::FloatImage expected = litUpTo(distance("open.glb"));
+    EXPECT_GT(nRmse(shadowed, expected), 0.05) << "the plate does shadow when it may";
+    for (const char* technique : {"ray_march", "exact"})
+      EXPECT_LT(nRmse(scatter("open.glb", {std::string("volumetrics.technique=") + technique}), expected), 0.002)
+          << technique << byNode;
   }
 }
 
