@@ -48,8 +48,8 @@ Result<ExposureMeter> ExposureMeter::create(gpu::Device& device) {
   return meter;
 }
 
-Result<std::uint32_t> ExposureMeter::addPasses(Graph& graph, const PassTools& tools, const View& view, ImageRef color,
-                                               ImageRef scatter, ImageRef depth, float seconds) {
+Result<std::uint32_t> ExposureMeter::addPass(Graph& graph, const PassTools& tools, const View& view, ImageRef color,
+                                             ImageRef scatter, ImageRef depth, float seconds) {
   const Result<const gpu::Pipeline*> look = tools.pipelines.get(exposureMeterRecipe(static_cast<bool>(scatter)));
   if (!look) return look.error();
   const Result<const gpu::Pipeline*> adapt = tools.pipelines.get(exposureAdaptRecipe());
@@ -67,36 +67,32 @@ Result<std::uint32_t> ExposureMeter::addPasses(Graph& graph, const PassTools& to
   const std::uint32_t across = (view.width + each - 1) / each, down = (view.height + each - 1) / each;
 
   const BufferRef counts = graph.import(counts_), metered = graph.import(metered_), copy = graph.import(copies_[slot]);
-  Graph::Pass meterPass = graph.pass("exposure meter");
-  meterPass.use(color, Use::kSampledCompute).use(depth, Use::kSampledCompute);
-  if (scatter) meterPass.use(scatter, Use::kSampledCompute);
   const ImageRef second = scatter ? scatter : color;  // bound but not read without scatter
-  meterPass.use(counts, Use::kStorageReadWriteCompute)
-      .run([=, &pipeline = **look, texel = tools.samplers.texel](PassContext& context) {
+  Graph::Pass pass = graph.pass("exposure");
+  pass.use(color, Use::kSampledCompute).use(depth, Use::kSampledCompute);
+  if (scatter) pass.use(scatter, Use::kSampledCompute);
+  pass.use(counts, Use::kStorageReadWriteCompute)
+      .use(metered, Use::kStorageReadWriteCompute)
+      .use(copy, Use::kStorageWriteCompute)
+      .run([=, &meter = **look, &adaptation = **adapt, texel = tools.samplers.texel](PassContext& context) {
         const VkCommandBuffer commands = context.commands();
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
-        gpu::Descriptors(commands, pipeline)
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, meter.handle());
+        gpu::Descriptors(commands, meter)
             .sampled(0, context.view(color), texel)
             .sampled(1, context.view(second), texel)
             .sampled(2, context.view(depth), texel)
             .storageBuffer(3, context.buffer(counts))
             .push();
-        vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_ALL, 0, sizeof push, &push);
+        vkCmdPushConstants(commands, meter.layout(), VK_SHADER_STAGE_ALL, 0, sizeof push, &push);
         vkCmdDispatch(commands, across, down, 1);
-      });
-  graph.pass("exposure adapt")
-      .use(counts, Use::kStorageReadWriteCompute)
-      .use(metered, Use::kStorageReadWriteCompute)
-      .use(copy, Use::kStorageWriteCompute)
-      .run([=, &pipeline = **adapt](PassContext& context) {
-        const VkCommandBuffer commands = context.commands();
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
-        gpu::Descriptors(commands, pipeline)
+        gpu::fullBarrier(commands);  // the counts
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, adaptation.handle());
+        gpu::Descriptors(commands, adaptation)
             .storageBuffer(0, context.buffer(counts))
             .storageBuffer(1, context.buffer(metered))
             .storageBuffer(2, context.buffer(copy))
             .push();
-        vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_ALL, 0, sizeof push, &push);
+        vkCmdPushConstants(commands, adaptation.layout(), VK_SHADER_STAGE_ALL, 0, sizeof push, &push);
         vkCmdDispatch(commands, 1, 1, 1);
       });
   return slot;

@@ -204,8 +204,8 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
 
   const FrameSettings& settings = input.settings;
   if (settings.autoExposure || settings.meter) {
-    const Result<std::uint32_t> slot = state_->exposure.addPasses(graph, tools, frame->view, frame->color,
-                                                                  output.scatter, frame->depth, settings.adaptSeconds);
+    const Result<std::uint32_t> slot = state_->exposure.addPass(graph, tools, frame->view, frame->color, output.scatter,
+                                                                frame->depth, settings.adaptSeconds);
     if (!slot) return slot.error();
     output.metered = *slot;
   }
