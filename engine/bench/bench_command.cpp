@@ -85,16 +85,17 @@ Result<void> writeReport(const std::string& json, const std::filesystem::path& p
 
 /// All three of one state of the results, or those of the state before.
 Result<void> writeAll(const Results& results, const std::filesystem::path& folder) {
-  const std::string json = resultsJson(results);
+  std::string json = resultsJson(results);
   auto html = reportHtml(json);
   if (!html) return failed("the report: " + html.error().message);
+  const std::string texts[] = {std::move(json), resultsCsv(results), html.take()};
+  static_assert(std::size(texts) == std::size(kFiles));
   FileSet files;
-  for (const auto& [name, text] : {std::pair<const char*, const std::string&>{kFiles[0], json},
-                                   {kFiles[1], resultsCsv(results)},
-                                   {kFiles[2], *html}}) {
+  for (std::size_t i = 0; i < std::size(kFiles); ++i) {
+    const char* name = kFiles[i];
     const auto temporary = files.stage(folder / name, (folder / name).string());
     if (!temporary) return temporary.error();
-    if (auto done = writeTextAtomically(*temporary, text); !done)
+    if (auto done = writeTextAtomically(*temporary, texts[i]); !done)
       return Error{(folder / name).string() + ": " + done.error().message, done.error().kind};
   }
   return files.place();

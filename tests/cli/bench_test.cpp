@@ -1,4 +1,5 @@
 // tyndall bench from end to end, on a small sweep.
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -53,7 +54,10 @@ TEST_F(Bench, MeasuresOnceAndGoesOn) {
   EXPECT_LT(errors.at("steps = 64"), errors.at("steps = 8"));
   EXPECT_LT(errors.at("levels = 0"), errors.at("levels = 2"));
   EXPECT_GT(readText(folder_ / "r/report.html").size(), 10'000u);
-  EXPECT_FALSE(readText(folder_ / "r/results.csv").empty());
+  // A line of names, and one a point.
+  const std::string csv = readText(folder_ / "r/results.csv");
+  EXPECT_EQ(csv.rfind("level,", 0), 0u) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<std::ptrdiff_t>(results["points"].size()) + 1) << csv;
 
   // The second call finds everything measured.
   const Outcome second = tyndall(kCall, cache());
