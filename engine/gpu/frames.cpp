@@ -10,6 +10,8 @@
 namespace tyndall::gpu {
 namespace {
 
+constexpr std::uint64_t kIdleNs = 4'000'000;  // a hand's events come every 4 to 16 ms
+
 VkResult begin(VkCommandBuffer commands) {
   VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
@@ -18,6 +20,13 @@ VkResult begin(VkCommandBuffer commands) {
 
 }  // namespace
 
+VkResult Device::State::wait(const std::function<VkResult(std::uint64_t)>& attempt) const {
+  if (!idle) return attempt(std::numeric_limits<std::uint64_t>::max());
+  VkResult result = attempt(kIdleNs);
+  for (; result == VK_TIMEOUT || result == VK_NOT_READY; result = attempt(kIdleNs)) idle();
+  return result;
+}
+
 std::uint64_t Device::State::finishedFrames() const {
   std::uint64_t value = 0;
   // A lost device finishes nothing more; what waits is destroyed with the device.
@@ -25,10 +34,10 @@ std::uint64_t Device::State::finishedFrames() const {
 }
 
 Result<void> Device::State::waitForFrame(std::uint64_t frame) const {
-  VkSemaphoreWaitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
-  wait.semaphoreCount = 1, wait.pSemaphores = &timeline, wait.pValues = &frame;
-  if (const VkResult result = vkWaitSemaphores(device, &wait, std::numeric_limits<std::uint64_t>::max()))
-    return vkFailed("frame " + std::to_string(frame) + " did not finish", result);
+  VkSemaphoreWaitInfo sought{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
+  sought.semaphoreCount = 1, sought.pSemaphores = &timeline, sought.pValues = &frame;
+  const VkResult result = wait([&](std::uint64_t ns) { return vkWaitSemaphores(device, &sought, ns); });
+  if (result) return vkFailed("frame " + std::to_string(frame) + " did not finish", result);
   return {};
 }
 
@@ -81,7 +90,8 @@ Result<void> Device::submitAndWait(const std::function<void(VkCommandBuffer)>& r
     VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
     submit.commandBufferInfoCount = 1, submit.pCommandBufferInfos = &buffer;
     if (!result) result = vkQueueSubmit2(s.queue, 1, &submit, shot.fence);
-    if (!result) result = vkWaitForFences(s.device, 1, &shot.fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+    if (!result)
+      result = s.wait([&](std::uint64_t ns) { return vkWaitForFences(s.device, 1, &shot.fence, VK_TRUE, ns); });
     --s.oneShots;
   }
   s.collect();
@@ -133,7 +143,14 @@ Result<void> Device::endFrame(const FrameSignals& signals) {
 
 std::uint64_t Device::submittedFrames() const { return state_->submitted; }
 
+Result<void> Device::waitForFrames() { return state_->waitForFrame(state_->submitted); }
+
+VkResult Device::wait(const std::function<VkResult(std::uint64_t)>& attempt) const { return state_->wait(attempt); }
+
+void Device::whileWaiting(std::function<void()> idle) { state_->idle = std::move(idle); }
+
 Result<void> Device::waitIdle() {
+  if (auto waited = waitForFrames(); !waited) return waited;  // this wait can be made idly
   if (const VkResult result = vkDeviceWaitIdle(state_->device))
     return vkFailed("Vulkan: waiting for the device", result);
   state_->collect();

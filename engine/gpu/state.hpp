@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -56,6 +57,9 @@ struct Device::State {
   std::vector<std::byte> pipelineCacheRead;  ///< the file's content, to write only what changed
 
   std::unique_ptr<Allocator> allocator;
+
+  std::function<void()> idle;                                                  ///< called while waiting; may be null
+  VkResult wait(const std::function<VkResult(std::uint64_t)>& attempt) const;  ///< see Device
 
   // Frames. The timeline counts them: its value is the number of frames that the GPU has finished.
   struct Slot {

@@ -1,5 +1,7 @@
 // Memory and lifetimes: deferred destruction, frames in flight, churn, aliasing, refusals.
+#include <chrono>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <random>
 #include <thread>
@@ -40,6 +42,45 @@ TEST_F(GpuLifetime, OneShotSubmissionsUseTheirCommandBuffersAgain) {
   EXPECT_EQ(values[0], 104u);
   EXPECT_EQ(values[1], 7u);
   EXPECT_EQ(values[2], 8u);
+}
+
+TEST_F(GpuLifetime, EventsAreTakenWhileTheDeviceIsWaitedFor) {
+  constexpr VkDeviceSize kBytes = 64 << 20;
+  auto buffer = device->createBuffer({.name = "filled", .size = kBytes, .usage = kBufferCopies});
+  ASSERT_TRUE(buffer.ok());
+  using Clock = std::chrono::steady_clock;
+  std::vector<Clock::time_point> taken;
+  device->whileWaiting([&] { taken.push_back(Clock::now()); });
+  const auto work = [&](VkCommandBuffer commands) {
+    for (std::uint32_t i = 0; i < 60; ++i) {
+      vkCmdFillBuffer(commands, buffer->handle(), 0, kBytes, i);
+      fullBarrier(commands);
+    }
+  };
+  const auto frame = [&](auto&& wait) {
+    auto commands = device->beginFrame();
+    ASSERT_TRUE(commands.ok());
+    work(*commands);
+    ASSERT_TRUE(device->endFrame());
+    ASSERT_TRUE(wait());
+  };
+  const std::pair<const char*, std::function<void()>> waits[] = {
+      {"for frames", [&] { frame([&] { return device->waitForFrames(); }); }},
+      {"for all", [&] { frame([&] { return device->waitIdle(); }); }},
+      {"for one submission", [&] { ASSERT_TRUE(device->submitAndWait(work)); }}};
+  for (const auto& [name, wait] : waits) {
+    SCOPED_TRACE(name);
+    taken.clear();
+    const auto begin = Clock::now();
+    wait();
+    const std::chrono::duration<double> took = Clock::now() - begin;
+    if (took.count() < 0.05) GTEST_SKIP() << "this device is too quick for the work of this test";
+    EXPECT_GE(static_cast<double>(taken.size()), took.count() / 0.1);  // ten times a second at the very least
+  }
+  device->whileWaiting(nullptr);
+  taken.clear();
+  frame([&] { return device->waitForFrames(); });
+  EXPECT_TRUE(taken.empty());
 }
 
 TEST_F(GpuLifetime, ResourcesMayGoWhileTheirFrameIsRecordedOrInFlight) {

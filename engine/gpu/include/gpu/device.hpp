@@ -162,6 +162,14 @@ class Device {
   Result<void> endFrame(const FrameSignals& signals = {});
   std::uint64_t submittedFrames() const;  ///< value of the timeline semaphore once the last submitted frame is done
   Result<void> waitIdle();
+  /// Waits until the last submitted frame is done. Cheaper than waitIdle(), and leaves what was presented alone.
+  Result<void> waitForFrames();
+  /// `idle` is called every few milliseconds whenever this object waits for the GPU, on the thread that waits. It must
+  /// not use the device. A window answers its events there. Null: nothing is called.
+  void whileWaiting(std::function<void()> idle);
+  /// Waits in the same way for something else: calls `attempt` with a limit in ns while it gives VK_TIMEOUT or
+  /// VK_NOT_READY.
+  VkResult wait(const std::function<VkResult(std::uint64_t)>& attempt) const;
   /// Waits for the GPU and destroys at once what was let go of and what `letGo` lets go of. For a lack of memory while
   /// a frame is being recorded: no command that uses any of it may have been recorded into that frame.
   Result<void> destroyNow(const std::function<void()>& letGo);
