@@ -7,25 +7,23 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
 #include "app/values.hpp"
-#include "base/memory.hpp"
+#include "base/log.hpp"
 #include "controls_panel.hpp"
+#include "display_errors.hpp"
 #include "drag_bar.hpp"
+#include "help_panel.hpp"
+#include "recovery.hpp"
 #include "status_panel.hpp"
 
 namespace tyndall::editor {
 namespace {
 
-constexpr double kIdleSeconds = 0.25;             // how long an idle window sleeps: files are looked at once a second
-constexpr double kBuildingSeconds = 0.01;         // the same while something is built beside the frames
-constexpr double kStillSeconds = 2;               // without a new picture: freed memory goes back to the system
-constexpr float kMaxFlightSeconds = 0.25f;        // a slow frame must not throw the camera through a wall
-constexpr float kFirstFlightSeconds = 1.0f / 30;  // the first frame of a flight: the time before it was not flown
-constexpr float kLeastSide = 200;                 // width of the panels, points at normal text
-constexpr float kMostSide = 0.8f;                 // of the window's width
+constexpr double kHiddenSeconds = 0.25;  // how long a window sleeps that is nowhere to be seen
+constexpr float kLeastSide = 200;        // width of the panels, points at normal text
+constexpr float kMostSide = 0.8f;        // of the window's width
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
@@ -47,18 +45,14 @@ void chooseStyle(float textScale) {
 
 }  // namespace
 
-ImGuiContextOwner::ImGuiContextOwner(const Window& window) {
+ImGuiContextOwner::ImGuiContextOwner() {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // what is kept is in the settings' file
   chooseStyle(1);
-  ImGui_ImplGlfw_InitForVulkan(window.handle(), true);  // "Vulkan" means here: no OpenGL context is looked for
 }
 
-ImGuiContextOwner::~ImGuiContextOwner() {
-  ImGui_ImplGlfw_Shutdown();
-  ImGui::DestroyContext();
-}
+ImGuiContextOwner::~ImGuiContextOwner() { ImGui::DestroyContext(); }
 
 Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   std::unique_ptr<Editor> editor(new Editor(options));
@@ -105,25 +99,44 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   auto swapchain = Swapchain::create(editor->session_->device(), *editor->window_);
   if (!swapchain) return swapchain.error();
   editor->swapchain_ = swapchain.take();
-  editor->imgui_ = std::make_unique<ImGuiContextOwner>(*editor->window_);
+  editor->imgui_ = std::make_unique<ImGuiContextOwner>();
+  editor->input_ = std::make_unique<Input>(*editor->window_);
   auto renderer = ImGuiRenderer::create(editor->session_->device(), editor->swapchain_->format());
   if (!renderer) return renderer.error();
   editor->renderer_ = renderer.take();
   editor->windowMemory_ = std::make_unique<render::GraphMemory>(editor->session_->device());
-  const auto wake = [] { glfwPostEmptyEvent(); };
+  const auto wake = [woken = &editor->woken_] { *woken = true, glfwPostEmptyEvent(); };
   editor->research_ = std::make_unique<Research>(*editor->session_, *editor->renderer_,
                                                  Laboratory::Options{device, options.pluginFolder, wake});
   editor->workspace_.seconds = options.seconds;
   for (const std::string& line : told) editor->workspace_.tell(line, false);
   std::string problem;
   editor->settings_ = editor->settingsFile_.read(problem);
+  if (const auto folder = editor->settingsFile_.folder(); !folder.empty())
+    if (const std::string note = recoveryNote(folder); !note.empty()) {
+      log::warning(note);
+      editor->workspace_.tell(note, false);
+    }
   if (!problem.empty()) editor->workspace_.tell(problem, true);
   editor->settings_.opened(editor->levelText());
   editor->capture_.restore(editor->settings_);
+  // A hand's events are taken, and other programs answered, also while a picture is waited for.
+  editor->session_->device().whileWaiting([window = editor->window_.get()] { window->poll(); });
+  outliveDisplayErrors();
+  onDisplayLost([it = editor.get()] {
+    std::fprintf(stderr, "tyndall-editor: the display is gone%s\n", it->keepEdits().c_str());
+    std::_Exit(1);  // whatever is left to tidy up would ask for the display
+  });
   return editor;
 }
 
 Result<void> Editor::run() {
+  auto done = loop();
+  if (done || stress_) return done;
+  return Error{done.error().message + keepEdits(), done.error().kind};
+}
+
+Result<void> Editor::loop() {
   if (options_.stress > 0) stress_ = std::make_unique<Stress>(options_.stress, options_.seed);
   while (!window_->closing()) {
     if (stress_) {
@@ -131,17 +144,11 @@ Result<void> Editor::run() {
       if (!going) return going.error();
       if (!*going) break;
     }
-    const bool idle = options_.frames == 0 && frames_ > 2 && !moving_ && !pictureWanted();
-    const bool building = session_->background() == host::PluginEffect::Background::kBuilding;
-    if (idle)
-      window_->wait(building ? kBuildingSeconds : kIdleSeconds);
-    else
-      window_->poll();
-    if (idle && !building && !memoryReturned_ && glfwGetTime() - pictureTime_ > kStillSeconds)
-      returnFreeMemory(), memoryReturned_ = true;
+    awaitEvents();
+    if (!drawDue()) continue;
     auto drawn = step();
     if (!drawn) return drawn.error();
-    if (!*drawn) window_->wait(kIdleSeconds);
+    if (!*drawn) window_->wait(kHiddenSeconds);
     if (options_.frames > 0 && frames_ >= options_.frames) break;
   }
   if (auto finished = session_->finishFrames(); !finished) return finished;
@@ -157,23 +164,12 @@ Result<void> Editor::run() {
 Result<bool> Editor::step() {
   auto fits = swapchain_->fit(window_->pixels());
   if (!fits || !*fits) return fits;
-  noticeLevel();
-  watcher_.check(*session_, workspace_);
-  if (auto done = scaleText(); !done) return done.error();
   times_.take(*session_);
-  ImGui_ImplGlfw_NewFrame();
-  ImGui::NewFrame();
-  workspace_.widgets.clear();
-  workspace_.facts.clear();
-  drawWindows();
-  steer();
-  watchEdits();
-  ImGui::Render();
-  if (std::exchange(captureAsked_, false)) takeCapture();
-  writeView();
-  if (!levelAsked_.empty()) openLevel(std::exchange(levelAsked_, ""));
-  if (levelLost_) return *levelLost_;
-  keepSettings();
+  // Whatever has happened since the last picture is seen by the interface in its order, whatever the picture took.
+  while (input_->pending())
+    if (auto done = interface(); !done) return done.error();
+  if (auto done = interface(); !done) return done.error();
+  redrawAt_ = glfwGetTime() + workspace_.redrawIn;
 
   const bool wanted = pictureWanted();
   if (!wanted) stillTime_ = glfwGetTime();
@@ -189,6 +185,7 @@ Result<bool> Editor::step() {
   }
   if (auto shown = renderWindow(); !shown) return shown.error();
   ++frames_;
+  toDraw_ = wanted ? std::max(toDraw_, 2u) - 1 : std::max(toDraw_, 1u) - 1;
   // Whether the window shows what the settings say: scripts wait for it.
   const bool building = session_->background() == host::PluginEffect::Background::kBuilding;
   workspace_.facts["picture"] = building ? "building" : pictureWanted() ? "due" : "current";
@@ -196,6 +193,26 @@ Result<bool> Editor::step() {
                                 cameraIndex(), frames_,    pictures_};
   if (auto written = state_.update(now); !written) return written.error();
   return true;
+}
+
+Result<void> Editor::interface() {
+  noticeLevel();
+  if (auto done = scaleText(); !done) return done.error();
+  input_->beginFrame(glfwGetTime());
+  ImGui::NewFrame();
+  workspace_.widgets.clear();
+  workspace_.facts.clear();
+  workspace_.redrawIn = kNever;
+  drawWindows();
+  steer();
+  watchEdits();
+  ImGui::Render();
+  if (std::exchange(captureAsked_, false)) takeCapture();
+  writeView();
+  if (!levelAsked_.empty()) openLevel(std::exchange(levelAsked_, ""));
+  if (levelLost_) return *levelLost_;
+  keepSettings();
+  return {};
 }
 
 Result<void> Editor::scaleText() {
@@ -314,40 +331,6 @@ void Editor::drawSide(float x, float y, float width, float height) {
     ImGui::EndTabBar();
   }
   ImGui::End();
-}
-
-void Editor::steer() {
-  const ImGuiIO& io = ImGui::GetIO();
-  const double now = glfwGetTime();
-  const float passed = static_cast<float>(now - std::exchange(lastTime_, now));
-  if (workspace_.playing) workspace_.seconds += static_cast<double>(passed);
-
-  for (const Command command : shortcuts_.pressed(*window_, io.WantTextInput)) perform(command);
-  const bool control = window_->keyDown(GLFW_KEY_LEFT_CONTROL) || window_->keyDown(GLFW_KEY_RIGHT_CONTROL);
-  const auto key = [&](int code) {
-    return window_->keyDown(code) && !io.WantTextInput;
-  };  // asks first: a tap is forgotten once asked for
-  const bool left = key(GLFW_KEY_A), right = key(GLFW_KEY_D), down = key(GLFW_KEY_Q), up = key(GLFW_KEY_E);
-  const bool back = key(GLFW_KEY_S), ahead = key(GLFW_KEY_W);
-
-  Flight flight;
-  if (!control) flight.push = {float(right) - float(left), float(up) - float(down), float(ahead) - float(back)};
-  flight.fast = io.KeyShift;
-  if (looking_) flight.look = {io.MouseDelta.x, io.MouseDelta.y};
-  if (orbiting_) flight.orbit = {io.MouseDelta.x, io.MouseDelta.y}, flight.pivot = orbitPivot_;
-  if (viewHovered_) flight.wheel = io.MouseWheel;
-  if (const auto wanted = std::exchange(workspace_.cameraWanted, std::nullopt)) {
-    options_.camera = *wanted;
-    workspace_.cameraReset = workspace_.changed = true;
-  }
-  if (std::exchange(workspace_.cameraReset, false)) {
-    if (camera_->flown()) workspace_.changed = true;
-    camera_->reset();
-    flight = {};  // a key let go since the last frame still counts as a tap: it must not take off again at once
-  }
-  const float seconds = moving_ ? std::min(passed, kMaxFlightSeconds) : kFirstFlightSeconds;
-  if (camera_->fly(flight, seconds, fileCamera())) workspace_.changed = true;
-  moving_ = flight.push != glm::vec3(0) || looking_ || orbiting_;
 }
 
 }  // namespace tyndall::editor

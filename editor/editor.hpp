@@ -2,6 +2,8 @@
 // it is out of date, the window whenever something happens.
 #pragma once
 
+#include <atomic>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -12,6 +14,7 @@
 #include "fly_camera.hpp"
 #include "history.hpp"
 #include "imgui_renderer.hpp"
+#include "input.hpp"
 #include "level_panel.hpp"
 #include "memory_panel.hpp"
 #include "menu_bar.hpp"
@@ -31,14 +34,18 @@
 
 namespace tyndall::editor {
 
-/// Dear ImGui's context with its GLFW backend.
+/// Dear ImGui's context.
 class ImGuiContextOwner {
  public:
-  explicit ImGuiContextOwner(const Window& window);
+  ImGuiContextOwner();
   ~ImGuiContextOwner();
   ImGuiContextOwner(const ImGuiContextOwner&) = delete;
   ImGuiContextOwner& operator=(const ImGuiContextOwner&) = delete;
 };
+
+inline constexpr double kNever = std::numeric_limits<double>::infinity();
+/// After something has happened: windows that fit themselves to their content take two, and the times come in the next.
+inline constexpr unsigned kSettledFrames = 3;
 
 class Editor {
  public:
@@ -51,15 +58,22 @@ class Editor {
   explicit Editor(const Options& options);
 
   // editor.cpp: what is in the window
-  Result<bool> step();  ///< false: there was nothing to draw on
+  Result<void> loop();
+  Result<bool> step();       ///< false: there was nothing to draw on
+  Result<void> interface();  ///< one frame of Dear ImGui, with one step of the input
   void drawWindows();
   void drawViewport(float y, float width, float height);
   void drawSide(float x, float y, float width, float height);
-  void steer();
   Result<void> scaleText();  ///< to what is chosen, where it is not
   std::uint32_t cameraIndex() const;
   scene::CameraView fileCamera() const;
   Research::Viewport viewport() const;
+
+  // editor_input.cpp: what the hands do
+  void steer();
+  void closeTop();     ///< what Esc does
+  void awaitEvents();  ///< sleeps while drawDue() is false
+  bool drawDue() const;
 
   // editor_commands.cpp: what the menu and the keys do
   void perform(Command command);
@@ -75,6 +89,7 @@ class Editor {
   void fileChosen(const std::filesystem::path& file);
   void drawComparison();
   void keepSettings();
+  std::string keepEdits() const;  ///< writes what would be lost; what to say of it, "" = nothing was
 
   // editor_frame.cpp: how it gets there
   Result<void> renderPicture();
@@ -89,6 +104,7 @@ class Editor {
   std::unique_ptr<Window> window_;
   std::unique_ptr<app::Session> session_;
   std::unique_ptr<ImGuiContextOwner> imgui_;
+  std::unique_ptr<Input> input_;
   std::unique_ptr<Swapchain> swapchain_;
   std::unique_ptr<ImGuiRenderer> renderer_;
   std::unique_ptr<render::GraphMemory> windowMemory_;
@@ -106,7 +122,6 @@ class Editor {
   SceneEdits editsSeen_;  ///< that levelEdits counts
   History history_;
   MenuBar menu_;
-  Shortcuts shortcuts_;
   CapturePanel capture_;
   bool captureAsked_ = false;
   std::optional<Error> levelLost_;  ///< neither a new level nor the one before could be set
@@ -127,10 +142,14 @@ class Editor {
   std::uint32_t frames_ = 0, pictures_ = 0;
   glm::vec2 viewLow_{0}, viewSize_{0};  ///< of the viewport on the screen, points
   bool viewHovered_ = false, looking_ = false, orbiting_ = false;
-  glm::vec3 orbitPivot_{0};     ///< that the orbit under way goes round, world
-  bool moving_ = false;         ///< the camera was flown in the last frame
-  bool timesTaken_ = true;      ///< of the newest picture
-  double lastTime_ = 0;         ///< of the last step, seconds since the start
+  glm::vec3 orbitPivot_{0};           ///< that the orbit under way goes round, world
+  bool moving_ = false;               ///< the camera was flown in the last frame
+  bool timesTaken_ = true;            ///< of the newest picture
+  bool flying_ = false;               ///< a key that flies is down
+  unsigned toDraw_ = kSettledFrames;  ///< frames until the window shows what has happened
+  double redrawAt_ = kNever;          ///< when the window is drawn though nothing has happened, seconds since the start
+  std::atomic<bool> woken_{false};    ///< something beside the window has finished
+  host::PluginEffect::Background backgroundSeen_ = host::PluginEffect::Background::kIdle;
   double pictureTime_ = 0;      ///< of the newest picture
   double stillTime_ = 0;        ///< when no picture was wanted last: an eye that rests has adapted
   bool memoryReturned_ = true;  ///< since then

@@ -58,6 +58,7 @@ void Editor::perform(Command command) {
     case Command::kUndo: return restore(history_.undo());
     case Command::kRedo: return restore(history_.redo());
     case Command::kHistory: historyOpen_ = !historyOpen_; return;
+    case Command::kCloseTop: return closeTop();
     case Command::kHelp: helpOpen_ = !helpOpen_; return;
     case Command::kSearch: parameters_.search(); return;
     case Command::kResetCamera: workspace_.cameraReset = true; return;

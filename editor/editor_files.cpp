@@ -1,5 +1,6 @@
 // Levels and presets from files, and what is remembered between runs.
 #include "editor.hpp"
+#include "recovery.hpp"
 
 namespace tyndall::editor {
 
@@ -89,6 +90,7 @@ void Editor::drawComparison() {
   if (ImGui::Begin("Compare with preset", &open, ImGuiWindowFlags_NoSavedSettings)) {
     ImGui::TextColored(kDimColor, "%s", compared_.string().c_str());
     // Read again in each frame: the file may be written by another hand, and is a page of text.
+    workspace_.drawAgain(1);
     auto differences = comparePreset(session_->table(), compared_);
     if (!differences)
       ImGui::TextColored(kErrorColor, "%s", differences.error().message.c_str());
@@ -110,6 +112,15 @@ void Editor::drawComparison() {
   }
   ImGui::End();
   if (!open) compared_.clear();
+}
+
+std::string Editor::keepEdits() const {
+  const fs::path folder = settingsFile_.folder();
+  if (folder.empty() || !history_.canUndo()) return "";
+  const app::Level* level = session_->level();
+  const bool edited = level && !editsOf(level->scene, level_.file()).empty();
+  auto kept = writeRecovery(folder, session_->table(), edited ? &level->scene : nullptr);
+  return kept ? "; what was edited is kept in " + *kept : "; what was edited is lost: " + kept.error().message;
 }
 
 void Editor::keepSettings() {

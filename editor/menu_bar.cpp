@@ -22,14 +22,6 @@ bool menu(const char* name, Workspace& workspace) {
   return open;
 }
 
-void row(const char* keys, const char* does) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextColored(kChangedColor, "%s", keys);
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(does);
-}
-
 }  // namespace
 
 MenuChoice MenuBar::draw(const History& history, const Settings& settings, Workspace& workspace) {
@@ -101,31 +93,6 @@ std::optional<std::size_t> drawHistory(const History& history, bool& open, Works
   }
   ImGui::End();
   return chosen;
-}
-
-void drawHelp(bool& open, Workspace& workspace) {
-  if (!open) return;
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  if (ImGui::Begin(
-          "Keys", &open,
-          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse) &&
-      ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) {
-    row("W A S D, Q E", "fly forward, left, back, right; down, up");
-    row("right drag", "look around");
-    row("middle drag", "orbit: round what is selected, or the level's middle");
-    row("Shift; wheel", "four times as fast; speed");
-    row("Ctrl+click", "on a slider: type a value");
-    row("double click", "on a name: default value");
-    std::string keys;
-    for (const Shortcut& shortcut : shortcuts())
-      if (shortcut.keys) row(shortcut.keys, shortcut.does), keys += std::string(shortcut.keys) + "; ";
-    workspace.facts["keys"] = keys;
-    const ImVec2 low = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
-    workspace.widgets["keys"] = {low.x, low.y, extent.x, extent.y};
-    ImGui::EndTable();
-  }
-  ImGui::End();
 }
 
 }  // namespace tyndall::editor

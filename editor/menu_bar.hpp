@@ -28,6 +28,5 @@ class MenuBar {
 
 /// A window with every step; the one clicked, if any.
 std::optional<std::size_t> drawHistory(const History& history, bool& open, Workspace& workspace);
-void drawHelp(bool& open, Workspace& workspace);
 
 }  // namespace tyndall::editor

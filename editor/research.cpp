@@ -8,6 +8,7 @@ namespace {
 // How long the view must have been the same before background work starts: a flight or a drag on a slider is no wish
 // for it.
 constexpr double kSettleSeconds = 0.3;
+constexpr double kProgressSeconds = 0.25;  // how often progress is shown
 
 std::string textOf(const std::vector<app::ViewRequest>& requests) {
   std::string text;
@@ -47,7 +48,9 @@ ResearchContext Research::context(Workspace& workspace, const Viewport& viewport
     context.shot.values[parameter.id] = session_.table().value(parameter.id);
   const double now = ImGui::GetTime();
   if (!(context.shot == lastShot_)) lastShot_ = context.shot, changedAt_ = now;
-  context.settled = !viewport.moving && now - changedAt_ >= kSettleSeconds;
+  const double still = now - changedAt_;
+  context.settled = !viewport.moving && still >= kSettleSeconds;
+  if (!viewport.moving && !context.settled) workspace.drawAgain(kSettleSeconds - still);
   for (const render::DebugViewInfo& view : session_.debugViews()) context.roles[view.name] = view.role;
   context.laboratory = [this, &workspace] { return laboratory(workspace); };
   return context;
@@ -111,6 +114,7 @@ void Research::bar(ResearchContext& context, const Viewport& viewport) {
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
+  if (busy()) context.workspace.drawAgain(kProgressSeconds);
   context.workspace.facts["background"] = busy() ? "busy" : "idle";
 }
 

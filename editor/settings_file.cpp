@@ -104,6 +104,12 @@ Settings SettingsFile::read(std::string& problem) {
   return {};
 }
 
+fs::path SettingsFile::folder() const {
+  std::error_code unknown;  // without a working folder the name stays relative, and writing there says what is wrong
+  const fs::path whole = fs::absolute(path_, unknown);
+  return path_.empty() ? path_ : (unknown ? path_ : whole).parent_path();
+}
+
 Result<void> SettingsFile::write(const Settings& settings) {
   if (path_.empty() || settings == written_) return {};
   written_ = settings;  // also when it cannot be written: it is said once, not in each frame

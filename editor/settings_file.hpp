@@ -32,6 +32,8 @@ class SettingsFile {
   Settings read(std::string& problem);
   /// All or nothing, and only when something differs from the last call.
   Result<void> write(const Settings& settings);
+  /// Where what is kept lies; "" where nothing is kept.
+  std::filesystem::path folder() const;
 
  private:
   std::filesystem::path path_;

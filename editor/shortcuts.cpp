@@ -17,8 +17,8 @@ constexpr Shortcut kShortcuts[] = {
      "picture, radiance, depth, numbers of a view, figures, and the command that makes them again", GLFW_KEY_P, true},
     {Command::kQuit, "Quit", "Ctrl+Q", "ends the editor", GLFW_KEY_Q, true},
     {Command::kUndo, "Undo", "Ctrl+Z", "takes the last edit back", GLFW_KEY_Z, true},
-    {Command::kRedo, "Redo", "Ctrl+Shift+Z", "makes it again; also Ctrl+Y", GLFW_KEY_Z, true, true},
-    {Command::kRedo, nullptr, nullptr, nullptr, GLFW_KEY_Y, true},
+    {Command::kRedo, "Redo", "Ctrl+Shift+Z", "makes it again", GLFW_KEY_Z, true, true},
+    {Command::kRedo, nullptr, "Ctrl+Y", nullptr, GLFW_KEY_Y, true},
     {Command::kHistory, "History", "Ctrl+H", "every edit; click one to go there", GLFW_KEY_H, true},
     {Command::kResetAll, "Reset all parameters", "Ctrl+R", "every parameter gets its default", GLFW_KEY_R, true},
     {Command::kSearch, "Search parameters", "Ctrl+F", "by name, id or help text", GLFW_KEY_F, true},
@@ -32,6 +32,14 @@ constexpr Shortcut kShortcuts[] = {
     {Command::kNormalText, "Normal text", "Ctrl+0", "as large as the display asks for", GLFW_KEY_0, true},
     {Command::kResetLayout, "Reset layout", nullptr, nullptr},
     {Command::kHelp, "Keys", "F1", "this list", GLFW_KEY_F1},
+    {Command::kCloseTop, "Close", "Esc", "what is on top: a menu, a dialog, a window; then lets go of what is dragged",
+     GLFW_KEY_ESCAPE},
+};
+
+constexpr FlightKey kFlightKeys[] = {
+    {GLFW_KEY_W, "W", {0, 0, 1}, "flies forward"}, {GLFW_KEY_A, "A", {-1, 0, 0}, "flies left"},
+    {GLFW_KEY_S, "S", {0, 0, -1}, "flies back"},   {GLFW_KEY_D, "D", {1, 0, 0}, "flies right"},
+    {GLFW_KEY_Q, "Q", {0, -1, 0}, "flies down"},   {GLFW_KEY_E, "E", {0, 1, 0}, "flies up"},
 };
 
 }  // namespace
@@ -44,27 +52,19 @@ const Shortcut& shortcutOf(Command command) {
   return *found;
 }
 
-std::vector<Command> Shortcuts::pressed(const Window& window, bool typing) {
-  const bool control = window.keyDown(GLFW_KEY_LEFT_CONTROL) || window.keyDown(GLFW_KEY_RIGHT_CONTROL);
-  const bool shift = window.keyDown(GLFW_KEY_LEFT_SHIFT) || window.keyDown(GLFW_KEY_RIGHT_SHIFT);
-  std::map<int, bool> now;
-  // A tap is remembered until asked for: each key is asked for once in every frame, but those that fly (which the
-  // flight asks for) only with Ctrl.
-  for (const Shortcut& shortcut : kShortcuts) {
-    const bool flies = shortcut.key == GLFW_KEY_S || shortcut.key == GLFW_KEY_D || shortcut.key == GLFW_KEY_Q;
-    if (shortcut.key != 0 && (control || !flies) && !now.contains(shortcut.key))
-      now[shortcut.key] = window.keyDown(shortcut.key);
-  }
+std::span<const FlightKey> flightKeys() { return kFlightKeys; }
+
+std::vector<Command> commandsOf(std::span<const KeyPress> presses, bool typing) {
   std::vector<Command> commands;
-  for (const Shortcut& shortcut : kShortcuts) {
-    if (shortcut.key == 0 || !now[shortcut.key] || down_[shortcut.key] || shortcut.control != control ||
-        shortcut.shift != (shift && shortcut.control))
-      continue;
-    const bool ofTheField = shortcut.key == GLFW_KEY_Z || shortcut.key == GLFW_KEY_Y;  // a field undoes its own typing
-    if (typing && (ofTheField || !shortcut.control) && shortcut.key != GLFW_KEY_F1) continue;
-    commands.push_back(shortcut.command);
-  }
-  down_ = std::move(now);
+  for (const KeyPress& press : presses)
+    for (const Shortcut& shortcut : kShortcuts) {
+      if (shortcut.key != press.key || shortcut.control != press.control ||
+          shortcut.shift != (press.shift && shortcut.control))
+        continue;
+      const bool ofTheField = shortcut.key == GLFW_KEY_Z || shortcut.key == GLFW_KEY_Y;  // it undoes its own typing
+      if (typing && (ofTheField || !shortcut.control) && shortcut.key != GLFW_KEY_F1) continue;
+      commands.push_back(shortcut.command);
+    }
   return commands;
 }
 

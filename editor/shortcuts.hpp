@@ -1,11 +1,12 @@
-// Commands of the menu and their keys: one table makes the menu's texts, the keyboard and the F1 overlay.
+// Commands and their keys: one table makes the menu's texts, the keyboard and the F1 overlay.
 #pragma once
 
-#include <map>
 #include <span>
 #include <vector>
 
-#include "window.hpp"
+#include <glm/glm.hpp>
+
+#include "input_queue.hpp"
 
 namespace tyndall::editor {
 
@@ -27,14 +28,15 @@ enum class Command {
   kSmallerText,
   kNormalText,
   kResetLayout,
-  kHelp
+  kHelp,
+  kCloseTop
 };
 
 struct Shortcut {
   Command command;
-  const char* name;  ///< in the menu; also the widget's name in the state file
-  const char* keys;  ///< as shown; null: none
-  const char* does;  ///< one line for the overlay
+  const char* name;  ///< in the menu; also the widget's name in the state file; null: as the command's first row
+  const char* keys;  ///< as shown; null: none, or those of a row before
+  const char* does;  ///< one line for the overlay; null: as the command's first row
   int key = 0;       ///< GLFW_KEY_*
   bool control = false, shift = false;
 };
@@ -42,14 +44,17 @@ struct Shortcut {
 std::span<const Shortcut> shortcuts();
 const Shortcut& shortcutOf(Command command);
 
-class Shortcuts {
- public:
-  /// Commands whose keys went down since the last call. While a text is typed only those with Ctrl that no text field
-  /// uses itself.
-  std::vector<Command> pressed(const Window& window, bool typing);
+/// Commands of the keys that went down in a frame. While a text is typed only those with Ctrl that no text field uses
+/// itself, and F1.
+std::vector<Command> commandsOf(std::span<const KeyPress> presses, bool typing);
 
- private:
-  std::map<int, bool> down_;
+/// Keys that fly while they are held.
+struct FlightKey {
+  int key;           ///< GLFW_KEY_*, by its place on the keyboard
+  const char* name;  ///< as shown
+  glm::vec3 push;    ///< right, up (of the world), forward
+  const char* does;
 };
+std::span<const FlightKey> flightKeys();
 
 }  // namespace tyndall::editor

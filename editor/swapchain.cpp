@@ -148,8 +148,9 @@ Result<std::optional<Swapchain::Target>> Swapchain::acquire() {
   // The slot's last frame is finished (the device has waited for it), and with it the last wait for this semaphore.
   const VkSemaphore semaphore = acquired_[device_.submittedFrames() % acquired_.size()];
   Target target;
-  const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_, std::numeric_limits<std::uint64_t>::max(),
-                                                semaphore, VK_NULL_HANDLE, &target.index);
+  const VkResult result = device_.wait([&](std::uint64_t ns) {
+    return vkAcquireNextImageKHR(device_.handle(), swapchain_, ns, semaphore, VK_NULL_HANDLE, &target.index);
+  });
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_ERROR_SURFACE_LOST_KHR) {
     stale_ = true;
     lost_ = result == VK_ERROR_SURFACE_LOST_KHR;
@@ -166,6 +167,9 @@ Result<std::optional<Swapchain::Target>> Swapchain::acquire() {
 }
 
 Result<void> Swapchain::present(const Target& target) {
+  // A CPU's driver waits for the frame before it copies it to the window: that wait is made where events are taken.
+  if (device_.info().isCpu)
+    if (auto waited = device_.waitForFrames(); !waited) return waited;
   VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
   info.waitSemaphoreCount = 1, info.pWaitSemaphores = &target.signals.signal;
   info.swapchainCount = 1, info.pSwapchains = &swapchain_, info.pImageIndices = &target.index;

@@ -180,6 +180,8 @@ void TruthPanel::picture(ResearchContext& context) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const bool second = std::fmod(ImGui::GetTime(), 2 * kFlickerSeconds) >= kFlickerSeconds;
+  if (show_ == Show::kFlicker)
+    context.workspace.drawAgain(kFlickerSeconds - std::fmod(ImGui::GetTime(), kFlickerSeconds));
   const bool showsB = show_ == Show::kReference || (show_ == Show::kFlicker && second);
   const ViewTexture& texture = show_ == Show::kError ? error_ : showsB ? reference_ : picture_;
   canvas_.dragTaken = dividerHeld_;

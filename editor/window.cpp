@@ -30,8 +30,6 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, std::pair
   window->window_ =
       glfwCreateWindow(static_cast<int>(size.first), static_cast<int>(size.second), title.c_str(), nullptr, nullptr);
   if (!window->window_) return noDisplay();
-  // A frame may take longer than a tap on a key: the tap must not get lost.
-  glfwSetInputMode(window->window_, GLFW_STICKY_KEYS, GLFW_TRUE);
   return window;
 }
 
@@ -62,7 +60,6 @@ void Window::resize(std::uint32_t width, std::uint32_t height) {
   glfwSetWindowSize(window_, static_cast<int>(width), static_cast<int>(height));
 }
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
-bool Window::keyDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
 
 float Window::textScale() const {
   float scale = 1, unused = 1;

@@ -39,9 +39,6 @@ class Window {
   void resize(std::uint32_t width, std::uint32_t height);
   void setTitle(const std::string& title);
 
-  /// True while the key (GLFW_KEY_*) is down, and once for a tap that came and went since the last call.
-  bool keyDown(int key) const;
-
   GLFWwindow* handle() const { return window_; }
 
  private:

@@ -1,6 +1,7 @@
 // What the editor's panels share: what the user has chosen, what is to be told, where the widgets are.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -33,15 +34,20 @@ struct Workspace {
   bool reloadPlugin = false, reloadShaders = false;
   std::string message;  ///< the newest, one line
   bool messageIsError = false;
+  bool told = false;             ///< since the window was drawn last
+  double redrawIn = 1e30;        ///< seconds until the window is drawn again though nothing has happened
   std::uint32_t levelEdits = 0;  ///< grows whenever the level in the session is another, or changed
   std::map<std::string, std::string>
       facts;                            ///< what research panels show, by name: for scripts that read the state file
   std::map<std::string, Rect> widgets;  ///< of the frame drawn last, by parameter id or name
 
   void tell(std::string line, bool isError) {
+    told = told || line != message || isError != messageIsError;
     message = std::move(line);
     messageIsError = isError;
   }
+  /// The window is drawn only when something has happened. What changes by itself asks in each frame for the next.
+  void drawAgain(double in) { redrawIn = std::min(redrawIn, in); }
   /// Notes where the widget drawn last is.
   void place(const std::string& name) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
