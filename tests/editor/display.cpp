@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <thread>
 
 #include <fcntl.h>
@@ -89,6 +90,10 @@ void EditorTest::SetUp() {
   std::string name = (fs::temp_directory_path() / "tyndall-editor-XXXXXX").string();
   ASSERT_NE(mkdtemp(name.data()), nullptr);
   folder_ = name;
+  startDisplay();
+}
+
+void EditorTest::startDisplay() {
   // The server chooses a free display and tells its number through the pipe.
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
@@ -118,6 +123,19 @@ void EditorTest::startEditor(std::vector<std::string> arguments) {
   editor_.start(arguments, display_, folder_ / "editor.err");
 }
 
+double EditorTest::editorSeconds() const {
+  // The fields after the name, which is in brackets: the 14th and 15th of the line are user and system time.
+  const std::string line = readText("/proc/" + std::to_string(editor_.id()) + "/stat");
+  std::istringstream fields(line.substr(std::min(line.rfind(')') + 1, line.size())));
+  std::string skipped;
+  for (int i = 3; i < 14; ++i) fields >> skipped;
+  double user = 0, system = 0;
+  fields >> user >> system;
+  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+void EditorTest::pauseEditor(bool paused) { kill(editor_.id(), paused ? SIGSTOP : SIGCONT); }
+
 std::string EditorTest::errors() const { return readText(folder_ / "editor.err"); }
 
 nlohmann::json EditorTest::state() const {
@@ -145,8 +163,19 @@ void EditorTest::input(const std::vector<std::string>& words) {
 void EditorTest::focus() { input({"search", "--sync", "--name", "Tyndall", "windowfocus", "--sync"}); }
 
 void EditorTest::waitFrames(int count) {
+  using std::chrono::milliseconds;
   const int now = state().value("frames", 0);
-  waitFor([=](const auto& s) { return s["frames"] >= now + count; }, 20);
+  int seen = now;
+  auto since = Clock::now();
+  const auto settled = [&](const auto& s) {
+    const int frames = s["frames"];
+    if (frames != seen) seen = frames, since = Clock::now();
+    const auto still = Clock::now() - since;
+    // Frames of the input before count as well, so the window must come to rest, unless it never does. Input that
+    // changes nothing draws nothing.
+    return (frames > now ? still > milliseconds(120) : still > milliseconds(400)) || frames >= now + count + 6;
+  };
+  waitFor(settled, 20);
 }
 
 void EditorTest::move(double x, double y) {

@@ -25,6 +25,7 @@ class Process {
   /// Exit status; 1000 + signal when a signal ended it; -1 when it did not end within `seconds` (it is then killed).
   int wait(double seconds);
   bool running();
+  pid_t id() const { return pid_; }
 
  private:
   pid_t pid_ = -1;
@@ -42,6 +43,13 @@ class EditorTest : public ::testing::Test {
   /// Starts bin/tyndall-editor with `arguments` and --print-state.
   void startEditor(std::vector<std::string> arguments);
   int waitEditor(double seconds = 120) { return editor_.wait(seconds); }
+  /// Processor time that the editor has used, seconds.
+  double editorSeconds() const;
+  /// The editor does nothing until it may go on: a window that is busy.
+  void pauseEditor(bool paused);
+  /// A server of the test's own; its end is that of the editor's connection to it.
+  void startDisplay();
+  void endDisplay() { server_.wait(0); }
   std::string errors() const;
   /// The state file's newest content; null before the first.
   nlohmann::json state() const;
@@ -60,6 +68,7 @@ class EditorTest : public ::testing::Test {
   void pull(const std::string& widget, double right, double down);
   /// Holds the keys together, long enough for a slow frame.
   void keys(const std::vector<std::string>& names);
+  /// Until what was input before is seen: the window has come to rest, or drawn more than so many frames.
   void waitFrames(int count);
 
   std::filesystem::path folder_;

@@ -96,11 +96,5 @@ TEST_F(InputTest, ClicksChangeParametersAndResetThem) {
   quit();
 }
 
-TEST_F(InputTest, AnIdleWindowRendersNoPictures) {
-  const Json quiet = waitFor([](const Json& s) { return s["frames"].get<int>() >= s["pictures"].get<int>() + 6; }, 60);
-  EXPECT_FALSE(quiet.is_null()) << state().dump();
-  quit();
-}
-
 }  // namespace
 }  // namespace tyndall::editor_test

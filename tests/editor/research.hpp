@@ -36,7 +36,7 @@ class ResearchTest : public EditorTest {
     std::vector<std::string> arguments = {"hall", "--size", "600x240"};
     arguments.insert(arguments.end(), kSettings.begin(), kSettings.end());
     startEditor(arguments);
-    const Json started = waitFor([](const Json& s) { return s["frames"] >= 4; });
+    const Json started = waitFor([](const Json& s) { return s["frames"] >= 3; });
     ASSERT_FALSE(started.is_null()) << errors();
     focus();
     viewport_ = started["widgets"]["viewport"].get<std::vector<double>>();
