@@ -130,6 +130,8 @@ Result<std::unique_ptr<Editor>> Editor::open(const Options& options) {
   return editor;
 }
 
+Editor::~Editor() { onDisplayLost(nullptr); }
+
 Result<void> Editor::run() {
   auto done = loop();
   if (done || stress_) return done;

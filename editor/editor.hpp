@@ -51,6 +51,7 @@ class Editor {
  public:
   /// Opens everything. Bad calls are found before the window is.
   static Result<std::unique_ptr<Editor>> open(const Options& options);
+  ~Editor();
   /// Until the window is closed or the frames asked for are shown; then writes what was asked for.
   Result<void> run();
 

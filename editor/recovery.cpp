@@ -1,5 +1,8 @@
 #include "recovery.hpp"
 
+#include <algorithm>
+#include <cstdio>
+
 #include "presets.hpp"
 #include "scene/write_glb.hpp"
 
@@ -12,9 +15,17 @@ fs::path nameOf(const fs::path& folder, int number, const char* extension) {
   return folder / ("recovered-" + std::to_string(number) + extension);
 }
 
-bool there(const fs::path& folder, int number) {
-  std::error_code unknown;
-  return fs::exists(nameOf(folder, number, ".json"), unknown) || fs::exists(nameOf(folder, number, ".glb"), unknown);
+/// The greatest number in use; 0: none is.
+int newestIn(const fs::path& folder) {
+  int newest = 0;
+  std::error_code unreadable;
+  for (fs::directory_iterator at(folder, unreadable), end; !unreadable && at != end; at.increment(unreadable)) {
+    int number = 0, length = 0;
+    const std::string name = at->path().filename().string();
+    if (std::sscanf(name.c_str(), "recovered-%9d.%n", &number, &length) == 1 && length > 0)
+      newest = std::max(newest, number);
+  }
+  return newest;
 }
 
 }  // namespace
@@ -23,8 +34,7 @@ Result<std::string> writeRecovery(const fs::path& folder, const params::Table& t
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) return failed(folder.string() + ": cannot be made: " + failure.message());
-  int number = 1;
-  while (there(folder, number)) ++number;
+  const int number = newestIn(folder) + 1;
   const fs::path settings = nameOf(folder, number, ".json"), level = nameOf(folder, number, ".glb");
   if (auto saved = savePreset(table, settings); !saved) return saved.error();
   if (!edited) return settings.string();
@@ -35,8 +45,7 @@ Result<std::string> writeRecovery(const fs::path& folder, const params::Table& t
 }
 
 std::string recoveryNote(const fs::path& folder) {
-  int newest = 0;
-  while (there(folder, newest + 1)) ++newest;
+  const int newest = newestIn(folder);
   if (newest == 0) return "";
   std::error_code unknown;
   const fs::path settings = nameOf(folder, newest, ".json"), level = nameOf(folder, newest, ".glb");

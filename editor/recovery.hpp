@@ -9,8 +9,8 @@
 
 namespace tyndall::editor {
 
-/// Writes recovered-N.json and, unless `edited` is null, recovered-N.glb into `folder`, N the first free number.
-/// Gives the files' names as one phrase. Needs neither window nor device.
+/// Writes recovered-N.json and, unless `edited` is null, recovered-N.glb into `folder`, N one more than the greatest in
+/// use. Gives the files' names as one phrase. Needs neither window nor device.
 Result<std::string> writeRecovery(const std::filesystem::path& folder, const params::Table& table,
                                   const scene::Scene* edited);
 

@@ -16,8 +16,8 @@ class SlowTest : public SessionTest {
   void SetUp() override {
     SessionTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
-    startTiny("1000x700", {"--set", "volumetrics.technique=ray_march", "--set", "volumetrics.steps=512", "--set",
-                           "medium.albedo=0.3"});
+    startTiny("700x500", {"--set", "volumetrics.technique=ray_march", "--set", "volumetrics.steps=512", "--set",
+                          "medium.albedo=0.3"});
   }
 
   static double yaw(const Json& s) {
@@ -46,14 +46,8 @@ class SlowTest : public SessionTest {
 TEST_F(SlowTest, ASliderEndsWhereTheHandLetGo) {
   click("search");
   input({"type", "--delay", "5", "albedo"});  // what is not in the window cannot be dragged
+  waitFrames(2);
   ASSERT_FALSE(waitFor([](const Json& s) { return !s["widgets"].contains("volumetrics.technique"); }, 20).is_null());
-  const std::string before = setting("medium.albedo");
-  drag("medium.albedo", 0.3, 0.9);  // a slow hand, that waits for the window
-  ASSERT_TRUE(stepIs(1));
-  const std::string slow = setting("medium.albedo");
-  EXPECT_NEAR(std::stod(slow), 0.9, 0.05);
-  keys({"ctrl", "z"});
-  ASSERT_TRUE(becomes("medium.albedo", before));
   std::vector<std::vector<std::string>> quick{to("medium.albedo", 0.3), {"mousedown", "1"}};
   for (int i = 1; i <= 8; ++i) {  // 0.4 s
     quick.push_back(to("medium.albedo", 0.3 + 0.6 * i / 8));
@@ -61,8 +55,8 @@ TEST_F(SlowTest, ASliderEndsWhereTheHandLetGo) {
   }
   quick.push_back({"mouseup", "1"});
   atOnce(quick);
-  EXPECT_TRUE(becomes("medium.albedo", slow)) << setting("medium.albedo") << " instead of " << slow;
-  EXPECT_TRUE(stepIs(1));  // one step, and none that was left half way
+  ASSERT_TRUE(stepIs(1));  // one step, and none that was left half way
+  EXPECT_NEAR(std::stod(setting("medium.albedo")), 0.9, 0.05);
   quit();
 }
 
