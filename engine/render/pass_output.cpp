@@ -14,7 +14,8 @@ Result<ImageRef> addCompositePass(Graph& graph, const PassTools& tools, ImageRef
   Graph::Pass pass = graph.pass("composite");
   pass.use(color, Use::kSampledGraphics).use(picture, Use::kColorWrite);
   if (scatter) pass.use(scatter, Use::kSampledGraphics);
-  if (metered) pass.use(graph.import(meter), Use::kSampledGraphics);
+  // Bound in either case: a picture of fixed exposure is measured as well where somebody asks.
+  pass.use(graph.import(meter), Use::kSampledGraphics);
   const ImageRef second = scatter ? scatter : color;  // bound but not read without scatter
   pass.run([=, &meter, &use = **pipeline, texel = tools.samplers.texel](PassContext& context) {
     context.beginRendering({{picture}});
