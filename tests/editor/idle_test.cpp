@@ -21,10 +21,14 @@ class IdleTest : public SessionTest {
   }
   /// Waits until no frame was drawn for half a second.
   void rest() {
-    for (int before = -1, now = state()["frames"]; before != now; now = state()["frames"]) {
+    int before = -1;
+    for (int i = 0; i < 40; ++i) {
+      const int now = state()["frames"];
+      if (before == now) return;
       before = now;
       std::this_thread::sleep_for(std::chrono::milliseconds(500));
     }
+    ADD_FAILURE() << "the window does not come to rest";
   }
   bool disappears(const std::string& widget) {
     return !waitFor([&](const Json& s) { return !s["widgets"].contains(widget); }, 20).is_null();
