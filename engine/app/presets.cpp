@@ -7,10 +7,12 @@
 
 namespace tyndall::app {
 
+std::filesystem::path presetFolder() { return executableFolder() / "presets"; }
+
 Result<std::filesystem::path> findPreset(const std::filesystem::path& asked) {
   const std::string text = asked.string();
   if (text.find('/') != std::string::npos || text.ends_with(".json")) return asked;
-  const std::filesystem::path folder = executableFolder() / "presets";
+  const std::filesystem::path folder = presetFolder();
   std::vector<std::string> names;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(folder, none))
