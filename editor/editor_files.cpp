@@ -1,5 +1,9 @@
 // Levels and presets from files, and what is remembered between runs.
 #include "editor.hpp"
+
+#include <algorithm>
+
+#include "app/presets.hpp"
 #include "recovery.hpp"
 
 namespace tyndall::editor {
@@ -28,6 +32,7 @@ void Editor::noticeLevel() {
   level_.reset(session_->editScene());
   editsSeen_ = {};
   history_.clear();  // its cameras and edits are of another place
+  times_.restart();
   ++workspace_.levelEdits;
 }
 
@@ -54,23 +59,34 @@ void Editor::openLevel(const std::string& text) {
 
 void Editor::browse(Command command) {
   filesFor_ = command;
+  // Names as the command line takes them: a sample's, a preset's.
+  const auto level = [](const std::string& text) -> std::optional<fs::path> {
+    const std::vector<std::string> samples = app::sampleLevels();
+    if (std::find(samples.begin(), samples.end(), text) == samples.end()) return std::nullopt;
+    return fs::path(text);
+  };
+  const auto preset = [](const std::string& text) -> std::optional<fs::path> {
+    auto found = app::findPreset(text);
+    std::error_code unknown;
+    return found && fs::exists(*found, unknown) ? std::optional(found.take()) : std::nullopt;
+  };
   if (command == Command::kOpenLevel)
-    files_.open("Open level", FileBrowser::Mode::kOpen, {".gltf", ".glb"}, settings_.levelFolder);
+    files_.open("Open level", FileBrowser::Mode::kOpen, {".gltf", ".glb"}, settings_.levelFolder, level);
   else if (command == Command::kSavePreset)
     files_.open("Save preset", FileBrowser::Mode::kSave, {".json"}, settings_.presetFolder);
   else
     files_.open(command == Command::kLoadPreset ? "Load preset" : "Compare with preset", FileBrowser::Mode::kOpen,
-                {".json"}, settings_.presetFolder);
+                {".json"}, settings_.presetFolder, preset);
 }
 
 void Editor::fileChosen(const fs::path& file) {
   const std::string folder = file.parent_path().string(), name = file.string();
   if (filesFor_ == Command::kOpenLevel) {
-    settings_.levelFolder = folder;
+    if (!folder.empty()) settings_.levelFolder = folder;  // a sample's name has none
     levelAsked_ = name;
     return;
   }
-  settings_.presetFolder = folder;
+  if (file.parent_path() != app::presetFolder()) settings_.presetFolder = folder;
   if (filesFor_ == Command::kComparePreset) {
     compared_ = file;
     return;

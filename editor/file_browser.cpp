@@ -17,8 +17,9 @@ std::string lower(std::string text) {
 
 }  // namespace
 
-void FileBrowser::open(std::string title, Mode mode, std::vector<std::string> extensions, const fs::path& folder) {
-  title_ = std::move(title), mode_ = mode, extensions_ = std::move(extensions);
+void FileBrowser::open(std::string title, Mode mode, std::vector<std::string> extensions, const fs::path& folder,
+                       Named named) {
+  title_ = std::move(title), mode_ = mode, extensions_ = std::move(extensions), named_ = std::move(named);
   open_ = appearing_ = true;
   name_ = {};
   std::error_code unknown;
@@ -65,6 +66,10 @@ std::optional<fs::path> FileBrowser::accept() {
   if (mode_ == Mode::kSave && lower(path.extension().string()) != extensions_.front()) path += extensions_.front();
   const bool exists = fs::exists(path, unknown);
   if (mode_ == Mode::kOpen && !exists) {
+    if (const auto known = named_ ? named_(text) : std::nullopt) {
+      open_ = false;
+      return known;
+    }
     problem_ = "there is no such file";
     return std::nullopt;
   }

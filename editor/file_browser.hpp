@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,10 @@ class FileBrowser {
  public:
   enum class Mode { kOpen, kSave };
   /// `extensions` with their dots, lower case; the first is added to a saved name that lacks it.
-  void open(std::string title, Mode mode, std::vector<std::string> extensions, const std::filesystem::path& folder);
+  /// `named`: what a typed name stands for that is no file here (a preset's or a sample level's); nullopt: nothing.
+  using Named = std::function<std::optional<std::filesystem::path>(const std::string&)>;
+  void open(std::string title, Mode mode, std::vector<std::string> extensions, const std::filesystem::path& folder,
+            Named named = {});
   /// The file chosen, once. Escape or the cross closes the window.
   std::optional<std::filesystem::path> draw(Workspace& workspace);
   bool isOpen() const { return open_; }
@@ -30,6 +34,7 @@ class FileBrowser {
   std::optional<std::filesystem::path> accept();
 
   std::string title_, problem_;
+  Named named_;
   Mode mode_ = Mode::kOpen;
   std::vector<std::string> extensions_;
   std::filesystem::path folder_;

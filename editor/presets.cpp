@@ -20,14 +20,13 @@ Result<params::Table> tableOf(const params::Table& table, const std::filesystem:
 Result<void> loadPreset(params::Table& table, const std::filesystem::path& file) {
   auto other = tableOf(table, file);
   if (!other) return other.error();
-  table.resetToDefaults();
   for (const std::string& id : other->assigned())
     if (auto set = table.set(id, other->value(id)); !set) return set;
   return {};
 }
 
 Result<void> savePreset(const params::Table& table, const std::filesystem::path& file) {
-  return writeTextAtomically(file, table.writePreset(true));
+  return writeTextAtomically(file, table.writePreset(false));
 }
 
 Result<std::vector<Difference>> comparePreset(const params::Table& table, const std::filesystem::path& file) {
@@ -35,6 +34,7 @@ Result<std::vector<Difference>> comparePreset(const params::Table& table, const 
   if (!other) return other.error();
   std::vector<Difference> differences;
   for (const params::Parameter& parameter : table.parameters()) {
+    if (!other->isAssigned(parameter.id)) continue;
     const double here = table.value(parameter.id), there = other->value(parameter.id);
     if (here != there)
       differences.push_back({parameter.id, params::toText(parameter, here), params::toText(parameter, there)});

@@ -11,6 +11,8 @@ class TimesPanel {
  public:
   /// Notes the times of the newest finished frame; in every frame, whether the panel is seen or not.
   void take(const app::Session& session);
+  /// Another level: its medians and worst times are its own.
+  void restart() { history_.clear(); }
   /// Fills the rest of the current ImGui window. `budgetMs` is the line in the graph; the user can drag it.
   void draw(double& budgetMs, Workspace& workspace);
 

@@ -76,19 +76,21 @@ TEST_F(FilesTest, BrokenSettingsAreSetAsideAndSaid) {
   }
 }
 
-TEST_F(FilesTest, APresetIsTheSameStateWhateverWasBefore) {
+TEST_F(FilesTest, APresetSetsWhatItNames) {
   params::Table table = makeTable();
   ASSERT_TRUE(table.set("a.fraction", 99));
   const fs::path file = write("p.json", R"({"a.whole": 7})");
   ASSERT_TRUE(loadPreset(table, file));
   EXPECT_EQ(table.value("a.whole"), 7);
-  EXPECT_EQ(table.value("a.fraction"), 5);
+  EXPECT_EQ(table.value("a.fraction"), 99) << "what it does not name stays";
   ASSERT_TRUE(table.set("a.fraction", 1.0 / 3));
+  EXPECT_TRUE(comparePreset(table, file)->empty()) << "nor is it compared";
+  ASSERT_TRUE(table.set("a.whole", 8));
   auto apart = comparePreset(table, file);
   ASSERT_TRUE(apart);
   ASSERT_EQ(apart->size(), 1u);
-  EXPECT_EQ((*apart)[0].id, "a.fraction");
-  EXPECT_EQ((*apart)[0].there, "5");
+  EXPECT_EQ((*apart)[0].id, "a.whole");
+  EXPECT_EQ((*apart)[0].there, "7");
   ASSERT_TRUE(savePreset(table, folder_ / "saved.json"));
   EXPECT_TRUE(comparePreset(table, folder_ / "saved.json")->empty());  // to the last digit
 }
