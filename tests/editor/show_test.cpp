@@ -58,7 +58,7 @@ TEST_F(ShowTest, EachStepIsSeenAndSaid) {
   ASSERT_TRUE(becomes("view.exposure", dragged));
   EXPECT_LT(changedShare(exposed, lookAtPicture()), kNothing);
 
-  // A preset: what it does not name has its default.
+  // A preset: what it names is set.
   std::ofstream(folder_ / "p.json")
       << R"({"volumetrics.technique": "ray_march", "volumetrics.steps": 9, "shadows.resolution": 256, "view.exposure": 0.2})";
   choose("l", folder_ / "p.json");
@@ -121,6 +121,18 @@ TEST_F(ShowTest, F1ShowsEveryKeyAndTakesThemAway) {
   keys({"F1"});
   ASSERT_FALSE(waitFor([](const Json& s) { return !s["widgets"].contains("keys"); }, 20).is_null());
   EXPECT_LT(changedShare(part(before, area), part(look(), area)), kNothing);
+  quit();
+}
+
+// Names as the command line takes them. A preset for speed leaves the fog alone.
+TEST_F(ShowTest, NamesOfPresetsAndLevelsCanBeTyped) {
+  startTiny("640x420", {"--set", "medium.sigma_t=0.07"});
+  choose("l", "fast");
+  ASSERT_TRUE(becomes("volumetrics.columns", "256")) << state()["message"];
+  EXPECT_EQ(setting("medium.sigma_t"), "0.07");
+  choose("o", "terrain");
+  ASSERT_FALSE(waitFor([](const Json& s) { return s["level"] == "terrain"; }, 60).is_null()) << state()["message"];
+  EXPECT_EQ(setting("medium.sigma_t"), "0.07");
   quit();
 }
 
