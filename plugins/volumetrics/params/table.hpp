@@ -32,6 +32,8 @@ enum class Precision { kCompact, kStandard, kFull };
 enum class Rectification { kAuto, kLinear, kEpipolar };
 enum class RowFilter { kNearest, kLinear, kMipmapped };
 enum class PrefixScheme { kAuto, kRow, kBlock, kScan };
+enum class RowOrder { kDepth, kColumn };
+enum class RowBlocks { k8, k16, k32, k64, kColumns };
 
 /// The ABI table; valid for the library's life. Choices of the technique parameter that no registered technique has
 /// (but for "none") are marked as not built.

@@ -252,7 +252,7 @@ TyBinding litAt22(const RectifyStage& stage) {
 }
 
 RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights, DepthBits bits,
-                        bool filterable) {
+                        bool filterable, bool weighted) {
   const Settings& settings = context.settings;
   const auto columns = static_cast<std::uint32_t>(settings.columns);
   const auto rays = static_cast<std::uint32_t>(settings.reference_rays);
@@ -326,7 +326,7 @@ RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, co
                       "x, inclination along y",
                       TY_SOURCE_IMAGE, stage.unshadowed, 0, 0, 0.0f, 0.2f);
   }
-  if (lights.shaped) addShine(builder, stage, rays, settings);
+  if (lights.shaped && weighted) addShine(builder, stage, rays, settings);
   if (!projective) return stage;
 
   const auto splits = static_cast<std::uint32_t>(settings.splits);

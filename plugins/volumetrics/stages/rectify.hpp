@@ -65,9 +65,10 @@ TyBinding resultAt5(const LightClass& lights, bool add);
 
 /// Adds, once per light of the class, "slices", "rectify" and, for suns unless the rectification is epipolar alone,
 /// "rectify linear"; for spot and point lights "unshadowed"; where light rays differ "shine" and "lit". `filterable`:
-/// the technique can take two depths a texel (volumetrics.filtered_resampling; suns only).
+/// the technique can take two depths a texel (volumetrics.filtered_resampling; suns only). `weighted`: columns get
+/// weights for reference rays; otherwise "shine" and "lit" are left to the technique.
 RectifyStage addRectify(const LayoutContext& context, LayoutBuilder& builder, const LightClass& lights, DepthBits bits,
-                        bool filterable);
+                        bool filterable, bool weighted = true);
 /// Adds the uniform blocks of addRectify(), which comes after.
 void addRowBlocks(const LayoutContext& context, LayoutBuilder& builder);
 

@@ -26,14 +26,7 @@ layout(binding = 4) uniform writeonly image2DArray weights;
 #include "stages/channels.glsl"
 #include "stages/light_rays.glsl"
 #include "stages/cookie.glsl"
-
-// A point of the light ray at a slice and column coordinate: for a sun relative to the eye, for other lights relative to the light.
-vec3 onLightRay(Slice s, float slice, float column) {
-  vec2 direction = sliceDirection(slice);
-  float c = columnDistance(s, column);
-  if (kLocal) return lightRay(direction, c);
-  return c * (direction.x * light.map.e1 + direction.y * light.map.e2);
-}
+#include "stages/strength.glsl"
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
@@ -41,16 +34,7 @@ void main() {
   Slice s = slices[at.x];
   float column = float(at.y);
   float slice = float(at.x) + 0.5;
-  vec3 strength = vec3(1.0);
-  vec3 middle = onLightRay(s, slice, column + 0.5);
-  if (kLocal && opaque(light.local.kind) == kLocalSpot) {
-    strength *= coneAttenuation(versineToAxis(middle, light.local.axis, 1.0, 0.0), light.local.coneOuter, light.local.coneScale);
-  }
-  if (kColoured && opaque(light.cookie.faces) != 0u) {
-    vec3 along = onLightRay(s, slice, column + 1.0) - onLightRay(s, slice, column);
-    vec3 across = onLightRay(s, slice + 0.5, column + 0.5) - onLightRay(s, slice - 0.5, column + 0.5);
-    strength *= cookieColour(light.cookie, (kLocal ? light.local.position : vec3(0.0)) + middle, along, across);
-  }
+  vec3 strength = columnStrength(s, slice, column);
   float value[kChannelSlots];
   for (int i = 0; i < kChannelSlots; ++i) value[i] = 0.0;
   for (int k = 0; k < kReferenceRays; ++k) {

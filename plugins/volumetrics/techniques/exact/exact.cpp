@@ -7,13 +7,15 @@
 #include "stages/debug_views.hpp"
 #include "stages/suns.hpp"
 #include "technique.hpp"
+#include "techniques/exact/depth_order.hpp"
 
 namespace volumetrics {
 namespace {
 
 constexpr std::array kReads = {TY_RECTIFY_READS,        "volumetrics.reference_rays", "volumetrics.reference_ray",
                                "volumetrics.weights",   "volumetrics.prefix_bounds",  "volumetrics.prefix_scheme",
-                               "volumetrics.precision", "volumetrics.levels"};
+                               "volumetrics.precision", "volumetrics.levels",         "volumetrics.row_order",
+                               "volumetrics.row_blocks"};
 
 /// A device may end loops after so many iterations of one invocation; some are left for what is not counted here.
 constexpr std::uint32_t kMostIterations = 60000;
@@ -234,6 +236,11 @@ void addTunable(const LayoutContext& context, LayoutBuilder& builder) {
 }
 
 void layout(const LayoutContext& context, LayoutBuilder& builder) {
+  if (static_cast<RowOrder>(context.settings.row_order) == RowOrder::kDepth) {
+    addRowLayout(context, builder, addDepthOrder);
+    addDepthOrderTunable(context, builder);
+    return;
+  }
   addRowLayout(context, builder, addClass);
   addTunable(context, builder);
 }
