@@ -18,7 +18,7 @@ const char* kSweep =
     R"({"size": [64, 36], "error_size": [64, 36], "repetitions": 2, "truth_samples": 32, "every_technique": false,
   "settings": {"shadows.resolution": 256, "volumetrics.columns": 64, "volumetrics.slices": 64, "volumetrics.prefix_scheme": "row"},
   "march": {"volumetrics.technique": "ray_march", "volumetrics.steps": 128},
-  "knobs": [{"id": "volumetrics.steps", "values": [8, 64]}, {"id": "volumetrics.levels", "values": [2, 0]}]})";
+  "knobs": [{"id": "volumetrics.steps", "values": [8, 64]}, {"id": "volumetrics.levels", "values": [2, 0], "with": {"volumetrics.row_order": "column"}}]})";
 
 using Json = nlohmann::json;
 

@@ -120,6 +120,8 @@ void EditorTest::startEditor(std::vector<std::string> arguments) {
   // What is remembered between runs is the user's own: a test leaves it alone.
   arguments.insert(arguments.end(), {"--print-state", (folder_ / "state.json").string(), "--settings",
                                      (folder_ / "settings.json").string()});
+  std::error_code ignored;
+  fs::remove(folder_ / "state.json", ignored);  // an earlier session's says nothing of this one
   editor_.start(arguments, display_, folder_ / "editor.err");
 }
 

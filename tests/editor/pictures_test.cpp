@@ -17,7 +17,7 @@ class PicturesTest : public SessionTest {
   void open(const char* level) {
     start(level, "1280x720",
           {"--set", "volumetrics.technique=exact", "--set", "volumetrics.columns=512", "--set",
-           "volumetrics.slices=512", "--set", "shadows.resolution=2048"});
+           "volumetrics.slices=512", "--set", "volumetrics.row_order=column", "--set", "shadows.resolution=2048"});
   }
   /// What is on the screen now, the mouse where it is.
   void keep(const char* name) {

@@ -32,6 +32,9 @@ struct Pair {
 /// A linear map that stands where the light is: with few columns, or the sun near the screen, the epipolar one would.
 const Settings kLinear = {"volumetrics.rectification=linear", "volumetrics.columns=512"};
 
+/// exact by its wavelet matrix.
+const Settings kColumnOrder = {"volumetrics.row_order=column"};
+
 struct View {
   const char* level;
   std::uint32_t camera;
@@ -92,8 +95,8 @@ const Pair kPairs[] = {
     {"moments4", "reference_rays", Change::kPicture, "1", "3"},
     {"moments4", "overestimation", Change::kPicture, "half", "upper"},
     {"moments6", "near_correction", Change::kPicture, "false", "true", kLinear, 2},
-    {"exact", "levels", Change::kPicture, "4", "6"},
-    {"exact", "levels", Change::kNothing, "0", "14"},
+    {"exact", "levels", Change::kPicture, "4", "6", kColumnOrder},
+    {"exact", "levels", Change::kNothing, "0", "14", kColumnOrder},
     {"exact", "columns", Change::kPicture, "100", "200"},
     {"exact", "slices", Change::kPicture, "128", "256"},
     {"exact", "slice_spacing", Change::kPicture, "azimuth", "border"},
@@ -101,16 +104,34 @@ const Pair kPairs[] = {
     {"exact", "splits", Change::kPicture, "1", "3", kLinear, 2},
     {"exact", "row_filter", Change::kPicture, "nearest", "linear"},
     {"exact", "row_filter", Change::kNothing, "linear", "mipmapped"},
-    {"exact", "reference_rays", Change::kPicture, "1", "3"},
-    {"exact", "reference_ray", Change::kPicture, "optimum", "mean", {"volumetrics.reference_rays=1"}},
+    {"exact", "reference_rays", Change::kPicture, "1", "3", kColumnOrder},
+    {"exact",
+     "reference_ray",
+     Change::kPicture,
+     "optimum",
+     "mean",
+     {"volumetrics.reference_rays=1", "volumetrics.row_order=column"}},
     {"exact", "weights", Change::kPicture, "average", "transmittance", {"medium.sigma_t=0.2"}},
-    {"exact", "prefix_bounds", Change::kSpeed, "false", "true", {"volumetrics.columns=1024", "volumetrics.slices=256"}},
-    {"exact", "precision", Change::kSpeed, "standard", "full"},
-    {"exact", "precision", Change::kNothing, "compact", "standard"},
+    {"exact",
+     "prefix_bounds",
+     Change::kSpeed,
+     "false",
+     "true",
+     {"volumetrics.columns=1024", "volumetrics.slices=256", "volumetrics.row_order=column"}},
+    {"exact", "precision", Change::kSpeed, "standard", "full", kColumnOrder},
+    {"exact", "precision", Change::kNothing, "compact", "standard", kColumnOrder},
+    {"exact", "row_order", Change::kPicture, "depth", "column"},
+    {"exact", "row_blocks", Change::kPicture, "8", "columns", {"volumetrics.columns=1024", "medium.sigma_t=0.3"}},
+    {"exact", "prefix_scheme", Change::kNothing, "row", "block"},
+    {"exact", "prefix_scheme", Change::kNothing, "row", "scan"},
+    {"exact", "levels", Change::kNothing, "4", "6"},
+    {"exact", "reference_rays", Change::kNothing, "1", "3"},
+    {"exact", "prefix_bounds", Change::kNothing, "false", "true"},
+    {"exact", "precision", Change::kNothing, "standard", "full"},
     {"exact", "epipole_block", Change::kPicture, "0", "20", {}, 1},
     {"exact", "depth_warp", Change::kPicture, "0", "1", {"volumetrics.columns=64"}},
-    {"exact", "prefix_scheme", Change::kSpeed, "row", "block"},
-    {"exact", "prefix_scheme", Change::kSpeed, "row", "scan"},
+    {"exact", "prefix_scheme", Change::kSpeed, "row", "block", kColumnOrder},
+    {"exact", "prefix_scheme", Change::kSpeed, "row", "scan", kColumnOrder},
     {"moments6", "prefix_scheme", Change::kSpeed, "row", "block"},
     {"moments6", "prefix_scheme", Change::kSpeed, "row", "scan"},
     {"fourier", "prefix_scheme", Change::kSpeed, "block", "scan"},

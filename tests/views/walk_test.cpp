@@ -16,9 +16,10 @@ constexpr float kCountScale = 65535;
 class WalkOf : public Stage, public testing::WithParamInterface<const char*> {};
 
 TEST_P(WalkOf, CountsTheBlockersBeforeTheRay) {
-  ASSERT_TRUE(open("hall", 0,
-                   {"volumetrics.technique=exact", "volumetrics.columns=96", "volumetrics.slices=64",
-                    "shadows.resolution=256", std::string("volumetrics.prefix_scheme=") + GetParam()}));
+  ASSERT_TRUE(
+      open("hall", 0,
+           {"volumetrics.technique=exact", "volumetrics.columns=96", "volumetrics.slices=64", "shadows.resolution=256",
+            "volumetrics.row_order=column", std::string("volumetrics.prefix_scheme=") + GetParam()}));
   take(80, 45, {});
   std::vector<app::ViewRequest> requests{{viewOf(ViewRole::kWalkRanks)}, {viewOf(ViewRole::kRowDepths)}};
   bool across = false;
