@@ -7,6 +7,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 #include "shared/light.h"
+#include "shared/sky.h"
 #include "shared/view.h"
 
 layout(constant_id = 0) const bool BASE = true;
@@ -27,6 +28,8 @@ layout(binding = 8) uniform sampler2DArray shadowMap2;
 layout(binding = 9) uniform sampler2DArray shadowMap3;
 layout(binding = 10, scalar) readonly buffer Lights { LightBlock lights[]; };
 layout(binding = 11) uniform sampler2DArray cookies;
+layout(binding = 12, scalar) uniform SkyUniform { SkyBlock sky; };
+layout(binding = 13) uniform sampler2DArray skyMaps;
 
 layout(location = 0) out vec4 outColor;
 
@@ -41,16 +44,19 @@ void main() {
   // Depth 0 is the far plane: finite, so sky pixels have a position too, and their direction comes from it.
   vec4 fromClip = view.viewFromClip * vec4(ndc, depth, 1.0);
   vec3 position = (view.worldFromView * vec4(fromClip.xyz / fromClip.w, 1.0)).xyz;
+  vec4 coded = texelFetch(normalTarget, pixel, 0);
+  vec3 normal = unitFromOct(coded.xy);
+  vec2 visible = vec2(0.0);
+  if (BASE) visible = skyVisibilityOfQuad(position, normal, depth != 0.0 && coded.z < 0.75);
   if (depth == 0.0) {
     outColor = vec4(BASE ? skyRadiance(view, normalize(position - view.eye)) : vec3(0.0), 1.0);
     return;
   }
   vec4 base = texelFetch(baseTarget, pixel, 0);
-  vec4 coded = texelFetch(normalTarget, pixel, 0);
   vec3 color = BASE ? texelFetch(emissiveTarget, pixel, 0).rgb : vec3(0.0);
   if (coded.z < 0.75) {  // above: unlit
-    Surface s = makeSurface(position, unitFromOct(coded.xy), view.eye, base.rgb, coded.z * 2.0, coded.w, base.a);
-    if (BASE) color += reflectSky(view, s);
+    Surface s = makeSurface(position, normal, view.eye, base.rgb, coded.z * 2.0, coded.w, base.a);
+    if (BASE) color += reflectSky(view, s, visible);
     color += reflectLights(s, firstUnshadowed, unshadowedCount);
   }
   outColor = vec4(color, 1.0);

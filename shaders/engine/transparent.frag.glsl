@@ -5,6 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 #include "shared/light.h"
+#include "shared/sky.h"
 #include "engine/include/material.glsl"
 
 layout(constant_id = 1) const int SHADOW_SLOTS = 4;
@@ -19,6 +20,8 @@ layout(binding = 12) uniform sampler2DArray shadowMap2;
 layout(binding = 13) uniform sampler2DArray shadowMap3;
 layout(binding = 14, scalar) readonly buffer Lights { LightBlock lights[]; };
 layout(binding = 15) uniform sampler2DArray cookies;
+layout(binding = 16, scalar) uniform SkyUniform { SkyBlock sky; };
+layout(binding = 17) uniform sampler2DArray skyMaps;
 
 layout(location = 0) out vec4 outColor;
 
@@ -30,7 +33,7 @@ void main() {
   vec3 color = m.baseColor.rgb;
   if (!m.unlit) {
     Surface s = makeSurface(inPosition, m.normal, view.eye, m.baseColor.rgb, m.metallic, m.roughness, m.occlusion);
-    color = m.emissive + reflectSky(view, s) +
+    color = m.emissive + reflectSky(view, s, skyVisibility(inPosition, m.normal)) +
             reflectLights(s, firstUnshadowed, unshadowedCount);
   }
   outColor = vec4(color, clamp(m.baseColor.a, 0.0, 1.0));

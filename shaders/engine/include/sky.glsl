@@ -4,6 +4,7 @@
 #ifndef TYNDALL_SKY_GLSL
 #define TYNDALL_SKY_GLSL
 #include "shared/view.h"
+#include "engine/include/sky_visibility.glsl"
 
 // Radiance from world direction `d` (unit) without the glow.
 vec3 skyGradient(ViewBlock view, vec3 d) {
@@ -29,19 +30,20 @@ vec3 skyRadiance(ViewBlock view, vec3 d) {
   return skyGradient(view, d) + view.sunIrradiance * glow;
 }
 
-// The sky's light on surfaces is shadowed by nothing but occlusion maps, so that rooms would glow with all of it.
+// What the gradient above gives to surfaces at sky.strength 1.
 const float kSkyShare = 0.5;
 
 // Radiance reflected from the sky's light: Lambert under the hemisphere's mean plus the specular lobe's mean direction.
-// `s` as in brdf.glsl. No visibility but the occlusion map's.
-vec3 reflectSky(ViewBlock view, Surface s) {
+// `s` as in brdf.glsl, `visible` as in sky_visibility.glsl. Both are shadowed by the cosine-weighted visibility: a mirror's own direction is not looked up.
+vec3 reflectSky(ViewBlock view, Surface s, vec2 visible) {
   vec3 mean = mix(view.skyHorizon, view.skyZenith, 0.5);
-  vec3 around = mix(view.ground, mean, 0.5 + 0.5 * s.normal.y);
+  vec3 around = mix(visible.y * view.ground, visible.x * mean, 0.5 + 0.5 * s.normal.y);
   float nDotV = clamp(dot(s.normal, s.towardsEye), 0.0, 1.0);
   float roughness = sqrt(s.alpha);
-  vec3 mirrored = skyGradient(view, reflect(-s.towardsEye, s.normal));
+  vec3 towards = reflect(-s.towardsEye, s.normal);
+  vec3 mirrored = skyGradient(view, towards) * mix(visible.y, visible.x, smoothstep(-0.2, 0.2, towards.y));
   vec3 specular = specularAlbedo(s.f0, roughness, nDotV) * mix(mirrored, around, roughness);
-  return kSkyShare * s.occlusion * (s.diffuse * around + specular);
+  return sky.strength * kSkyShare * s.occlusion * (s.diffuse * around + specular);
 }
 
 #endif
