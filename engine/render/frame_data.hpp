@@ -18,6 +18,7 @@
 namespace tyndall::render {
 
 struct KeptShadowMap;
+struct SkyFrame;
 
 /// A part of the frame's block buffer.
 struct BlockRange {
@@ -51,10 +52,12 @@ struct FrameData {
   ShadowMaps surfaceMaps = ShadowMaps::kDepths;  ///< what surfaces read
   std::vector<ShadowedLight> shadowedLights;     ///< in file order, for effects
   std::shared_ptr<const SceneResources> resources;
-  BlockRange viewBlock, lightBlocks, instanceBlocks, materialBlocks;
-  std::uint64_t materialsHash = 0;  ///< of the contents of materialBlocks
-  bool cookies = false;             ///< some light has one
-  ImageRef cookieArray, noCookie;   ///< resources->cookies and a white texel, for effects; empty without an effect
+  BlockRange viewBlock, lightBlocks, instanceBlocks, materialBlocks, skyBlock;
+  std::shared_ptr<const SkyFrame> sky;  ///< the maps that say what surfaces see of the sky
+  ImageRef skyMaps;                     ///< empty: nothing hides the sky
+  std::uint64_t materialsHash = 0;      ///< of the contents of materialBlocks
+  bool cookies = false;                 ///< some light has one
+  ImageRef cookieArray, noCookie;       ///< resources->cookies and a white texel, for effects; empty without an effect
 
   ImageRef base, normal, emissive, depth, color;
 

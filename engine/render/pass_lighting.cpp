@@ -23,6 +23,7 @@ void declare(Graph& graph, const PassTools& tools, FramePointer frame, const gpu
   for (std::uint32_t i = 0; i < batch.shadowedCount; ++i) {
     pass.use(frame->surfaceMap(batch.firstShadowed + i), Use::kSampledGraphics);
   }
+  if (frame->skyMaps) pass.use(frame->skyMaps, Use::kSampledGraphics);
   pass.use(frame->color, batch.base() ? Use::kColorWrite : Use::kColorReadWrite);
   pass.run([frame, tools, &pipeline, batch](PassContext& context) {
     const VkCommandBuffer commands = context.commands();
@@ -39,6 +40,7 @@ void declare(Graph& graph, const PassTools& tools, FramePointer frame, const gpu
         .sampled(4, context.view(frame->emissive), texel)
         .sampled(5, context.view(frame->depth), texel);
     bindLights(context, tools, *frame, descriptors, {1, 6, 10, 11}, batch.firstShadowed, batch.shadowedCount);
+    bindSky(context, tools, *frame, descriptors, 12, 13);
     drawFullScreen(commands, pipeline, descriptors, batch.unshadowed);
     context.endRendering();
   });

@@ -27,6 +27,7 @@ Result<void> addTransparentPass(Graph& graph, const PassTools& tools, const std:
   Graph::Pass pass = graph.pass("transparent");
   pass.use(frame->color, Use::kColorReadWrite).use(frame->depth, Use::kDepthRead);
   for (std::uint32_t i = 0; i < slots; ++i) pass.use(frame->surfaceMap(i), Use::kSampledGraphics);
+  if (frame->skyMaps) pass.use(frame->skyMaps, Use::kSampledGraphics);
   pass.run([frame = FramePointer(frame), tools, pipelines = pipelines.take(), slots, others](PassContext& context) {
     PassContext::DepthAttachment depth{frame->depth};
     depth.readOnly = true;
@@ -34,6 +35,7 @@ Result<void> addTransparentPass(Graph& graph, const PassTools& tools, const std:
     recordShaded(context, *frame, frame->draws.blended, pipelines, [&](const gpu::Pipeline& pipeline) {
       gpu::Descriptors descriptors(context.commands(), pipeline);
       bindLights(context, tools, *frame, descriptors, {9, 10, 14, 15}, 0, slots);
+      bindSky(context, tools, *frame, descriptors, 16, 17);
       descriptors.push();
       vkCmdPushConstants(context.commands(), pipeline.layout(), VK_SHADER_STAGE_ALL, 0, sizeof(others), &others);
     });

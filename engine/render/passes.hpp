@@ -30,6 +30,12 @@ Result<void> addShadowPasses(Graph& graph, const PassTools& tools, const std::sh
 Result<ImageRef> addMomentPasses(Graph& graph, const PassTools& tools, const FrameData& frame,
                                  const PlannedLight& light, ImageRef shadowMap);
 
+/// Draws what frame.sky wants drawn, and imports the maps as frame.skyMaps.
+Result<void> addSkyPasses(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame);
+/// Binds the sky's block and maps (white where there are none).
+void bindSky(PassContext& context, const PassTools& tools, const FrameData& frame, gpu::Descriptors& descriptors,
+             std::uint32_t block, std::uint32_t maps);
+
 /// Base colour, normal, emission, depth. `clear`: texels that nothing covers are 0 instead of undefined (debug views).
 Result<void> addGBufferPass(Graph& graph, const PassTools& tools, const std::shared_ptr<FrameData>& frame, bool clear);
 

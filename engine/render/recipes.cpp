@@ -111,6 +111,8 @@ Recipe transparentRecipe(Facing facing, std::uint32_t textures, std::uint32_t sl
   addSampled(recipe.desc.bindings, 10, shared::kShadowSlots);
   recipe.desc.bindings.push_back({14, kStorage});
   recipe.desc.bindings.push_back({15, kSampled});
+  recipe.desc.bindings.push_back({16, kUniform});
+  recipe.desc.bindings.push_back({17, kSampled});
   recipe.desc.specialization = {
       {1, slots}, {2, textures}, {3, static_cast<std::uint32_t>(maps)}, {4, cookies ? 1u : 0u}};
   recipe.desc.pushConstantBytes = sizeof(UnshadowedLights);
@@ -130,6 +132,8 @@ Recipe lightingRecipe(bool base, std::uint32_t slots, ShadowMaps maps, bool cook
   addSampled(recipe.desc.bindings, 2, 4 + shared::kShadowSlots);
   recipe.desc.bindings.push_back({10, kStorage});
   recipe.desc.bindings.push_back({11, kSampled});
+  recipe.desc.bindings.push_back({12, kUniform});
+  recipe.desc.bindings.push_back({13, kSampled});
   recipe.desc.specialization = {
       {0, base ? 1u : 0u}, {1, slots}, {3, static_cast<std::uint32_t>(maps)}, {4, cookies ? 1u : 0u}};
   recipe.desc.pushConstantBytes = sizeof(UnshadowedLights);
@@ -193,6 +197,14 @@ ComputeRecipe momentBlurRecipe(bool rows, VkFormat format) {
   recipe.desc.bindings = {{0, kSampled}, {1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}};
   recipe.desc.pushConstantBytes = sizeof(float);
   recipe.desc.specialization = {{0, rows ? 1u : 0u}, {1, quantise ? 1u : 0u}};
+  return recipe;
+}
+
+ComputeRecipe skySpreadRecipe() {
+  ComputeRecipe recipe;
+  recipe.shader = "sky_spread.comp";
+  recipe.desc.name = "sky maps";
+  recipe.desc.bindings = {{0, kSampled}, {1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}};
   return recipe;
 }
 

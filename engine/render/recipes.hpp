@@ -54,5 +54,7 @@ ComputeRecipe exposureAdaptRecipe();
 /// `rows`: the first direction, from depths; else the second, from what the first made.
 ComputeRecipe momentBlurRecipe(bool rows, VkFormat format);
 ComputeRecipe momentMipRecipe();
+/// Widens the occluders of one layer of the sky's maps.
+ComputeRecipe skySpreadRecipe();
 
 }  // namespace tyndall::render

@@ -10,13 +10,14 @@
 #include "passes.hpp"
 #include "render/frame.hpp"
 #include "sky.hpp"
+#include "sky_maps.hpp"
 #include "textures.hpp"
 
 namespace tyndall::render {
 
 struct Renderer::State {
   State(gpu::Device& d, const std::filesystem::path& shaders)
-      : device(d), pipelines(d, shaders), blocks(d), shadows(d), samplers(makeSamplers(d)) {}
+      : device(d), pipelines(d, shaders), blocks(d), shadows(d), skyMaps(d), samplers(makeSamplers(d)) {}
 
   PassTools tools() {
     gpu::ViewDesc array;
@@ -29,6 +30,7 @@ struct Renderer::State {
   PipelineLibrary pipelines;
   BlockRing blocks;
   ShadowCache shadows;
+  SkyMaps skyMaps;
   FrameSamplers samplers;
   gpu::Image unusedMap;
   ExposureMeter exposure;
@@ -58,6 +60,7 @@ Result<void> Renderer::setScene(const scene::Scene& scene) {
   if (!uploaded) return uploaded.error();
   state_->resources = uploaded.take();
   state_->shadows.clear();
+  state_->skyMaps.clear();
   state_->pipelines.sceneChanged();
   return {};
 }
@@ -136,17 +139,24 @@ Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) 
       input.scene.materials.size() + 1 == resources->materials.size(),
       "the scene is not the one given to setScene: " + std::to_string(input.scene.materials.size()) + " materials");
   const std::vector<std::byte> materials = materialBlocks(input.scene);
+  frame->materialsHash = Hash().bytes(materials).value();
+  const FrameSettings& settings = input.settings;
+  Result<std::shared_ptr<const SkyFrame>> sky =
+      skyMaps.plan(*frame, settings.skyStrength, input.reset || settings.adaptSeconds < 0);
+  if (!sky) return sky.error();
+  frame->sky = sky.take();
   Result<std::vector<BlockRange>> ranges =
       blocks.write({{&view, sizeof(view)},
                     {lightBlocks.data(), lightBlocks.size() * sizeof(lightBlocks[0])},
                     {instances.data(), instances.size() * sizeof(instances[0])},
-                    {materials.data(), materials.size()}});
+                    {materials.data(), materials.size()},
+                    {&frame->sky->block, sizeof(frame->sky->block)}});
   if (!ranges) return ranges.error();
   frame->viewBlock = (*ranges)[0];
   frame->lightBlocks = (*ranges)[1];
   frame->instanceBlocks = (*ranges)[2];
   frame->materialBlocks = (*ranges)[3];
-  frame->materialsHash = Hash().bytes(materials).value();
+  frame->skyBlock = (*ranges)[4];
   return frame;
 }
 
@@ -180,6 +190,7 @@ Result<FrameOutput> Renderer::addFrame(Graph& graph, const Input& input) {
           addShadowPasses(graph, tools, frame, input.lights, input.settings.reuseShadows ? &state_->shadows : nullptr);
       !r)
     return r.error();
+  if (Result<void> r = addSkyPasses(graph, tools, frame); !r) return r.error();
   if (Result<void> r = addGBufferPass(graph, tools, frame, !debugView.empty() || !input.settings.offered.empty()); !r)
     return r.error();
   if (Result<void> r = addLightingPasses(graph, tools, frame, input.lights); !r) return r.error();

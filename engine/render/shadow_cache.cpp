@@ -6,7 +6,7 @@
 
 namespace tyndall::render {
 
-std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit) {
+std::uint64_t casterContent(const FrameData& frame) {
   // The order of draws follows the camera and is not a part of it.
   std::uint64_t casters = 0;
   for (const Draw& draw : frame.draws.solid) {
@@ -19,8 +19,12 @@ std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit) {
                    .add(frame.draws.instances[draw.instance].worldFromObject)
                    .value();
   }
+  return Hash().add(casters).add(frame.materialsHash).add(frame.resources.get()).value();
+}
+
+std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit) {
   Hash hash;
-  hash.add(casters).add(frame.materialsHash).add(frame.resources.get()).add(fit.useful).add(fit.faceCount);
+  hash.add(casterContent(frame)).add(fit.useful).add(fit.faceCount);
   for (std::uint32_t face = 0; face < fit.faceCount; ++face) hash.add(fit.clipFromWorld[face]);
   return hash.value();
 }

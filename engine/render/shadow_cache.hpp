@@ -17,6 +17,9 @@ struct KeptShadowMap {
   std::uint64_t content = 0;  ///< contentOf() what was drawn last
 };
 
+/// A hash of the casters with their transforms and materials. frame.materialsHash must be set.
+std::uint64_t casterContent(const FrameData& frame);
+
 /// A hash of all that a map shows: the casters with their transforms and materials, and the light's matrices.
 std::uint64_t shadowContent(const FrameData& frame, const ShadowFit& fit);
 

@@ -107,11 +107,14 @@ struct FrameSettings {
   float exposure = 1;         ///< linear factor before the tone map
   bool autoExposure = false;  ///< times a factor that suits the picture, which is measured in the frame itself
   bool meter = false;         ///< measure the picture, also where its exposure is not asked for (FrameOutput::metered)
-  float adaptSeconds = -1;  ///< how long the measured factor has had since the last frame; below 0: it settles at once
+  /// How long the measured factor has had since the last frame. Below 0 it settles at once, and so do the sky's maps,
+  /// of which else few are drawn a frame after something has moved.
+  float adaptSeconds = -1;
   float shownExposure = 1;  ///< factor of debug views that show radiance "times exposure"
   std::uint32_t shadowResolution = 2048;
   bool reuseShadows =
-      false;  ///< maps outlive the frame and are drawn again only when their light or a caster has changed
+      false;              ///< maps outlive the frame and are drawn again only when their light or a caster has changed
+  float skyStrength = 1;  ///< factor on the sky's light on surfaces
   ShadowMode shadowMode = ShadowMode::kPcf;
   std::uint32_t shadowPrecision = 64;  ///< bits per texel of moment shadow maps: 64 or 128
   std::string debugView;               ///< "" = the picture; engine views: see debugViews()
