@@ -45,6 +45,15 @@ std::vector<Parameter> engineParameters() {
       "own. A sun's map follows the camera.";
   reuse.type = Type::kBool;
 
+  Parameter sky;
+  sky.id = "sky.strength";
+  sky.name = "Sky light";
+  sky.doc =
+      "Factor on the sky's light on surfaces; 0 removes it. What casts shadows hides the sky: a closed room is dark.";
+  sky.type = Type::kFloat;
+  sky.defaultValue = 1;
+  sky.max = sky.builtMax = 100;
+
   Parameter exposure;
   exposure.id = "view.exposure";
   exposure.name = "Exposure";
@@ -65,7 +74,7 @@ std::vector<Parameter> engineParameters() {
   automatic.defaultValue = 1;
   automatic.max = automatic.builtMax = 1;
 
-  std::vector<Parameter> all = {mode, resolution, precision, reuse, exposure, automatic};
+  std::vector<Parameter> all = {mode, resolution, precision, reuse, sky, exposure, automatic};
   for (Parameter& p : all) p.owner = "engine";
   return all;
 }

@@ -88,7 +88,7 @@ class Table {
   std::map<std::string, Remembered, std::less<>> remembered_;
 };
 
-/// The engine's own: shadows.mode, shadows.resolution, shadows.precision, shadows.reuse, view.exposure,
+/// The engine's own: shadows.mode, shadows.resolution, shadows.precision, shadows.reuse, sky.strength, view.exposure,
 /// view.auto_exposure.
 std::vector<Parameter> engineParameters();
 
