@@ -61,6 +61,7 @@ render::FrameSettings Session::asked(const FrameRequest& request) const {
   settings.adaptSeconds = request.reset || cut_ ? -1 : request.adaptSeconds;
   settings.shownExposure = exposureFactor();
   settings.shadowResolution = static_cast<std::uint32_t>(values.value("shadows.resolution"));
+  settings.skyStrength = static_cast<float>(values.value("sky.strength"));
   settings.reuseShadows = values.value("shadows.reuse") != 0;
   settings.shadowMode = text("shadows.mode") == "moments" ? render::ShadowMode::kMoments : render::ShadowMode::kPcf;
   settings.shadowPrecision = text("shadows.precision") == "128" ? 128 : 64;
