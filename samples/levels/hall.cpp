@@ -7,6 +7,8 @@ namespace {
 
 using namespace hall;
 
+// What comes back from floor and walls under the windows: the sky itself does not reach the hall's far side.
+constexpr glm::vec3 kBounced{0.13f, 0.115f, 0.095f};
 constexpr float kFar = 100.0f;  // metres: the hall's diagonal twice over, so that views out of a window end in mist
 
 std::int32_t emissive(LevelBuilder& level, const std::string& name, const glm::vec3& color, const glm::vec3& light) {
@@ -32,12 +34,12 @@ std::int32_t cloth(LevelBuilder& level, const std::string& name, const Surface& 
 
 Materials addMaterials(LevelBuilder& level) {
   Materials m{};
-  m.ashlar = level.material("ashlar", ashlar());
-  m.flags = level.material("floor tiles", flags());
-  m.dressed = level.material("dressed stone", dressed());
-  m.planks = level.material("planks", planks());
-  m.timber = level.material("timber", timber());
-  m.runner = level.material("runner", runner());
+  m.ashlar = level.material("ashlar", ashlar(), glm::vec4(1), kBounced);
+  m.flags = level.material("floor tiles", flags(), glm::vec4(1), kBounced);
+  m.dressed = level.material("dressed stone", dressed(), glm::vec4(1), kBounced);
+  m.planks = level.material("planks", planks(), glm::vec4(1), kBounced);
+  m.timber = level.material("timber", timber(), glm::vec4(1), kBounced);
+  m.runner = level.material("runner", runner(), glm::vec4(1), kBounced);
   m.bannerSun = cloth(level, "banner with a sun", banner({0.52f, 0.075f, 0.085f}, {0.86f, 0.68f, 0.28f}, 0));
   m.bannerCross = cloth(level, "banner with a cross", banner({0.085f, 0.16f, 0.42f}, {0.83f, 0.80f, 0.70f}, 1));
   m.iron = level.plain("iron", {0.16f, 0.155f, 0.15f}, 0.55f, 0.6f);
