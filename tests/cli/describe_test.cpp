@@ -57,6 +57,7 @@ TEST_F(Describe, EveryParameterIdOfTheContract) {
                          "shadows.mode",
                          "shadows.resolution",
                          "shadows.precision",
+                         "sky.strength",
                          "view.exposure"}) {
     ASSERT_TRUE(parameters.count(id)) << id;
     const json& parameter = parameters.at(id);

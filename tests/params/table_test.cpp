@@ -38,6 +38,10 @@ TEST(Table, engineParametersHaveTheContractsIdsAndDefaults) {
   }
   EXPECT_EQ(table.value("shadows.resolution"), 2048);
   EXPECT_EQ(table.value("view.exposure"), 1);
+  EXPECT_EQ(table.value("sky.strength"), 1);
+  EXPECT_TRUE(table.setAssignment("sky.strength=0"));
+  EXPECT_FALSE(table.setAssignment("sky.strength=-1"));
+  EXPECT_FALSE(table.setAssignment("sky.strength=101"));
   EXPECT_EQ(toText(*table.find("shadows.mode"), table.value("shadows.mode")), "pcf");
   EXPECT_EQ(toText(*table.find("shadows.precision"), table.value("shadows.precision")), "64");
   EXPECT_TRUE(table.setAssignment("shadows.precision=128"));

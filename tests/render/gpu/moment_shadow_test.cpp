@@ -30,6 +30,7 @@ struct MomentShadow : FrameTest {
              Effect* effect = nullptr) {
     Stage::Options options;
     options.width = options.height = kPicture;
+    options.settings.skyStrength = 0;  // lamps alone
     options.settings.shadowMode = mode;
     options.settings.shadowPrecision = precision;
     options.settings.shadowResolution = kMapSize;
