@@ -4,7 +4,7 @@
 // columns up to each (kShaped); shadow map (epipole block). Output: RGBA32F as in ray_march.comp, or, with kShowSteps, the blocks
 // looked at.
 // Approximation: within a block, weight and visibility are taken as uncorrelated. Where weights change much from block to block its
-// columns are looked at by eighths instead, each with its own weight.
+// columns are looked at by sixteenths instead, each with its own weight.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -44,7 +44,7 @@ int visited = 0;
 
 const int kWeightsTransmittance = 1;
 // Change of weight from a block to the next, in parts of the ray's whole weight, from which a block that is neither lit nor dark is looked at
-// by eighths: what is missed else is an eighth of it at most.
+// by sixteenths: what is missed else is an eighth of it at most.
 const float kMostChange = 1.0 / 32.0;
 
 // Weights of a light with a table of unshadowed integrals.
@@ -107,7 +107,7 @@ vec3 asColour(vec3 value) { return kColoured ? value : value.xxx; }
 
 // Hidden weight of block [from, to), part by part. `count` of its columns hide the ray.
 vec3 hiddenByParts(RowRay ray, Row row, int shift, int from, int to, int count) {
-  int size = kByColumn ? 1 : clamp((1 << shift) >> 3, 1, 32);
+  int size = kByColumn ? 1 : clamp((1 << shift) >> 4, 1, 32);
   vec3 sum = vec3(0.0);
   uint which = 0u;  // of the 32 columns at hand, those that hide the ray
   float upTo = 0.0;
@@ -202,9 +202,11 @@ float nextWeight(inout Walk walk, RowRay ray, Slice s, float to) {
     } else {                                                                                                                          \
       hidden.x += weight * float(count);                                                                                              \
     }                                                                                                                                 \
-    if ((BLOCK) < last) most = max(most, abs(weight - before));                                                                       \
+    if ((BLOCK) < last) {                                                                                                             \
+      most = max(most, abs(weight - before));                                                                                         \
+      before = weight;                                                                                                                \
+    }                                                                                                                                 \
     passed += weight;                                                                                                                 \
-    before = weight;                                                                                                                  \
   }
 #define TY_EIGHT_BLOCKS(GROUP)                                                                     \
   if (8 * (GROUP) < kBlocks && 8 * (GROUP) < last) {                                               \
@@ -277,7 +279,9 @@ vec3 rowVisibility(Row row, RowRay ray) {
   vec3 strength = vec3(1.0);
   if (whole > from) {
     if (kShaped) strength = meanStrength(row.index, whole - 1);
-    if (kByColumn) {
+    // As much as its columns would weigh in the block before?
+    float even = before / float(1 << shift) * float(whole - from);
+    if (kByColumn || (count > 0 && abs(ofBlock - even) > kMostChange * total)) {
       hidden += hiddenByParts(ray, row, shift, from, whole, count);
     } else {
       int before_ = bitCount(which & lowBits(whole & 31) & ~lowBits(max(from - (whole & ~31), 0)));
