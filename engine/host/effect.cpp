@@ -196,6 +196,8 @@ std::vector<std::string> PluginEffect::reloadShaders() {
 std::uint64_t PluginEffect::memoryBytes() const { return state_->bytes; }
 std::optional<std::uint64_t> PluginEffect::bytesMoved() const { return state_->moved; }
 std::vector<std::uint64_t> PluginEffect::lightMemoryBytes() const { return state_->lightBytes; }
-const std::optional<Error>& PluginEffect::failure() const { return state_->failure; }
+const std::optional<Error>& PluginEffect::failure() const {
+  return state_->failure ? state_->failure : state_->unprepared;
+}
 
 }  // namespace tyndall::host

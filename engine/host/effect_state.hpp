@@ -101,8 +101,9 @@ struct PluginEffect::State {
   std::optional<Asked> asked;  ///< what `built` belongs to
   std::shared_ptr<Built> built;
   std::optional<Error> failure;
-  Structure refused;  ///< what `failure` belongs to
-  bool reset = true;  ///< no prepare() has succeeded since the last cut or new layout
+  Structure refused;                ///< what `failure` belongs to
+  std::optional<Error> unprepared;  ///< prepare() returned false for the newest frame
+  bool reset = true;                ///< no prepare() has succeeded since the last cut or new layout
   std::uint64_t frame = 0;
   std::deque<Pending> pending;
   std::shared_ptr<const FrameRefs> refs;  ///< of the last addPasses

@@ -187,8 +187,15 @@ bool PluginEffect::State::prepare(const render::EffectInput& input) {
   Plugin::State& p = plugin.state();
   {
     const PluginCall call(p.called(), "prepare()");
-    if (!p.plugin.prepare(built->instance, &abi, &built->uniforms.begin())) return false;
+    if (!p.plugin.prepare(built->instance, &abi, &built->uniforms.begin())) {
+      if (!unprepared) {
+        unprepared = failed("plugin '" + plugin.id() + "': prepare() failed");
+        log::error(unprepared->message + "; frames are drawn without it until it succeeds");
+      }
+      return false;
+    }
   }
+  unprepared.reset();
   reset = false;
   return true;
 }
