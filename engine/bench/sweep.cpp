@@ -50,8 +50,9 @@ std::string textOf(const Json& json, const std::string& where) {
   return json.get<std::string>();
 }
 
-double numberOf(const Json& json, const std::string& where) {
-  if (!json.is_number()) refuse(where, shown(json), "a number");
+double numberOf(const Json& json, const std::string& where, int least, int most) {
+  if (!json.is_number() || !(json.get<double>() >= least && json.get<double>() <= most))
+    refuse(where, shown(json), "a number from " + std::to_string(least) + " to " + std::to_string(most));
   return json.get<double>();
 }
 
@@ -126,8 +127,8 @@ PaperFigure paperOf(const Json& json, const std::string& where) {
              {{"paper", [&](const Json& j, const std::string& w) { paper.paper = textOf(j, w); }},
               {"table", [&](const Json& j, const std::string& w) { paper.table = textOf(j, w); }},
               {"row", [&](const Json& j, const std::string& w) { paper.row = textOf(j, w); }},
-              {"ms", [&](const Json& j, const std::string& w) { paper.milliseconds = numberOf(j, w); }},
-              {"ratio", [&](const Json& j, const std::string& w) { paper.ratio = numberOf(j, w); }}});
+              {"ms", [&](const Json& j, const std::string& w) { paper.milliseconds = numberOf(j, w, 0, 1'000'000); }},
+              {"ratio", [&](const Json& j, const std::string& w) { paper.ratio = numberOf(j, w, 0, 1'000'000); }}});
   if (paper.paper.empty() || paper.table.empty() || paper.row.empty())
     throw Wrong{where + ": 'paper', 'table' and 'row' are needed"};
   return paper;
@@ -150,10 +151,11 @@ Single singleOf(const Json& json, const std::string& where) {
 
 Motion motionOf(const Json& json, const std::string& where) {
   Motion motion;
-  readObject(json, where,
-             {{"frames", [&](const Json& j, const std::string& w) { motion.frames = countOf(j, w, 2, 10'000); }},
-              {"turn_degrees", [&](const Json& j, const std::string& w) { motion.turn = numberOf(j, w); }},
-              {"seconds", [&](const Json& j, const std::string& w) { motion.seconds = numberOf(j, w); }}});
+  readObject(
+      json, where,
+      {{"frames", [&](const Json& j, const std::string& w) { motion.frames = countOf(j, w, 2, 10'000); }},
+       {"turn_degrees", [&](const Json& j, const std::string& w) { motion.turn = numberOf(j, w, -360'000, 360'000); }},
+       {"seconds", [&](const Json& j, const std::string& w) { motion.seconds = numberOf(j, w, -1e6, 1'000'000); }}});
   if (motion.frames == 0) throw Wrong{where + ": 'frames' is needed"};
   return motion;
 }
@@ -172,7 +174,8 @@ void readInto(Sweep& sweep, const Json& json) {
        {"size", [&](const Json& j, const std::string& w) { sweep.size = sizeOf(j, w); }},
        {"error_size", [&](const Json& j, const std::string& w) { sweep.errorSize = sizeOf(j, w); }},
        {"repetitions", [&](const Json& j, const std::string& w) { sweep.repetitions = countOf(j, w, 1, 1000); }},
-       {"seconds_per_point", [&](const Json& j, const std::string& w) { sweep.secondsPerPoint = numberOf(j, w); }},
+       {"seconds_per_point",
+        [&](const Json& j, const std::string& w) { sweep.secondsPerPoint = numberOf(j, w, 0, 1'000'000); }},
        {"truth_samples",
         [&](const Json& j, const std::string& w) { sweep.truthSamples = countOf(j, w, 2, 1'000'000); }},
        {"settings", [&](const Json& j, const std::string& w) { sweep.settings = assignmentsOf(j, w); }},
