@@ -19,7 +19,7 @@ glm::vec4 sample(const AnimationChannel& channel, float time) {
   const auto& times = channel.times;
   const bool cubic = channel.interpolation == Interpolation::kCubicSpline;
   const auto value = [&](std::size_t key) { return cubic ? channel.values[3 * key + 1] : channel.values[key]; };
-  if (time <= times.front()) return value(0);
+  if (!(time > times.front())) return value(0);  // of a time that is none, too
   if (time >= times.back()) return value(times.size() - 1);
   const std::size_t next = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin());
   const std::size_t previous = next - 1;
@@ -118,7 +118,9 @@ Bounds worldBounds(const Scene& scene, const std::vector<glm::mat4>& worldFromNo
       for (int corner = 0; corner < 8 && !p.bounds.empty(); ++corner) {
         const glm::vec3 c(corner & 1 ? p.bounds.max.x : p.bounds.min.x, corner & 2 ? p.bounds.max.y : p.bounds.min.y,
                           corner & 4 ? p.bounds.max.z : p.bounds.min.z);
-        out.add(glm::vec3(worldFromNode[i] * glm::vec4(c, 1)));
+        // Where an animation leads farther than a level may reach, it is not in sight.
+        const glm::vec3 world(worldFromNode[i] * glm::vec4(c, 1));
+        if (glm::all(glm::lessThanEqual(glm::abs(world), glm::vec3(kMaxExtent)))) out.add(world);
       }
     }
   }
