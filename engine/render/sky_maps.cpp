@@ -94,7 +94,8 @@ Result<std::shared_ptr<const SkyFrame>> SkyMaps::plan(const FrameData& frame, fl
   std::copy(directions.begin(), directions.end(), sky->block.directions);
   sky->block.strength = strength;
   const scene::Bounds& casters = frame.draws.casters;
-  if (casters.empty()) return std::shared_ptr<const SkyFrame>(sky);
+  // Without maps the sky is seen whole: where it gives no light, that is as good.
+  if (casters.empty() || strength <= 0) return std::shared_ptr<const SkyFrame>(sky);
 
   const std::vector<Square> all = squares(casters, frame.view.eye);
   const auto count = static_cast<std::uint32_t>(all.size()) * kSkyDirections;

@@ -47,7 +47,7 @@ void main() {
   vec4 coded = texelFetch(normalTarget, pixel, 0);
   vec3 normal = unitFromOct(coded.xy);
   vec2 visible = vec2(0.0);
-  if (BASE) visible = skyVisibilityOfQuad(position, normal, depth != 0.0 && coded.z < 0.75);
+  if (BASE) visible = skyVisibilityOfQuad(position, normal, depth != 0.0 && coded.z < 0.75 && opaque(sky.strength) > 0.0);
   if (depth == 0.0) {
     outColor = vec4(BASE ? skyRadiance(view, normalize(position - view.eye)) : vec3(0.0), 1.0);
     return;
