@@ -39,6 +39,11 @@ TEST(Sweep, WhatIsWrongIsNamed) {
   expectRefused(R"({"points": [{"series": "a", "label": "b", "settings": {"x": 1}, "paper": {"paper": "K"}}]})",
                 {"points[0].paper", "'table'"});
   expectRefused(R"({"motion": {"turn_degrees": 1}})", {"motion", "'frames'"});
+  // Numbers have bounds.
+  expectRefused(R"({"motion": {"frames": 2, "seconds": 1e308}})", {"motion.seconds", "from -1000000 to 1000000"});
+  expectRefused(R"({"motion": {"frames": 2, "turn_degrees": -1e9}})",
+                {"motion.turn_degrees", "from -360000 to 360000"});
+  expectRefused(R"({"seconds_per_point": -1})", {"seconds_per_point", "from 0"});
   expectRefused(R"({"every_technique": 1})", {"every_technique", "true or false"});
 }
 

@@ -67,9 +67,15 @@ TEST_F(Refusal, noLayout) {
   EXPECT_EQ(lines(log), 1u) << log;
 }
 
-TEST_F(Refusal, prepareFalseIsAFrameWithout) {
+TEST_F(Refusal, prepareFalseIsAFrameWithoutAndALine) {
   EXPECT_FALSE(frame().empty);
-  EXPECT_EQ(logOf("prepare"), "");
+  const std::string log = logOf("prepare");
+  EXPECT_THAT(log, HasSubstr("plugin 'passes': prepare() failed; frames are drawn without it"));
+  EXPECT_EQ(lines(log), 1u) << log;
+  ASSERT_TRUE(effect_->failure());
+  EXPECT_THAT(effect_->failure()->message, HasSubstr("prepare()"));
+  ASSERT_TRUE(table_.setText("passes.break", "nothing"));
+  EXPECT_FALSE(frame().empty) << "the next that succeeds goes on";
   EXPECT_FALSE(effect_->failure());
 }
 

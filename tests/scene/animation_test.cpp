@@ -82,6 +82,37 @@ TEST(Animation, LinearStepAndEnds) {
   EXPECT_EQ(translationAt(step, 3.99), glm::vec3(4, 0, 0));
 }
 
+TEST(Animation, ATimeThatIsNoneIsTheFirst) {
+  const Scene s =
+      oneNode({0, AnimationTarget::kTranslation, Interpolation::kLinear, {0, 2}, {{7, 0, 0, 0}, {2, 0, 0, 0}}}, 2);
+  for (const double t : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e308}) {
+    const float x = translationAt(s, t).x;
+    EXPECT_TRUE(x >= 2 && x <= 7) << t;
+  }
+}
+
+// Scales of a chain of nodes, each within its limit, that together lead out of sight: a camera that frames the level
+// has a place all the same.
+TEST(Animation, BoundsHoldWhatIsInReach) {
+  GltfFile file;
+  file.triangle();
+  auto loaded = file.load();
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  Scene s = std::move(loaded->scene);
+  const Bounds before = worldBounds(s, worldMatrices(s, 0));
+  Node far = s.nodes[0];
+  far.matrix.reset();
+  for (const float scale : {1e8f, 1e38f}) {
+    s.nodes.push_back(far);
+    s.nodes.back().scale = glm::vec3(scale);
+    s.nodes.back().translation = glm::vec3(scale);
+  }
+  const Bounds bounds = worldBounds(s, worldMatrices(s, 0.5));
+  EXPECT_FALSE(bounds.empty());
+  EXPECT_LE(glm::length(bounds.max - bounds.min), 4e9f);
+  EXPECT_LE(bounds.min.x, before.min.x);
+}
+
 TEST(Animation, LoopsByItsDuration) {
   const Scene s =
       oneNode({0, AnimationTarget::kTranslation, Interpolation::kLinear, {0, 2}, {{0, 0, 0, 0}, {2, 0, 0, 0}}}, 2);
