@@ -64,16 +64,20 @@ float ownWeight(RowRay ray, Slice s, float from, float to) {
   return transmittanceIntegral(rowSigma(), (a - start) * perSine, (b - start) * perSine);
 }
 
-// The columns of the row at hand that hide the ray, the first `found` of its order: the record that holds the last of them, and which of the
-// record's own they are.
+// The columns of the row at hand that hide the ray are the first `found` of its order. At hand of the record that holds the last of them: which of
+// its own 32 they are, where it stands, and the texels with planes; counts are fetched where they are needed, as code that knows the place of
+// every word is long, and takes a driver half a minute to compile.
 uvec4 record[kRecordTexels];
 uint recordOwn;
+ivec2 recordAt;
+const int kFirstPlaneTexel = kCountWords / 4;
 
-uint recordWord(int i) { return record[i >> 2][i & 3]; }
+uint blockPlane(int j) { return record[(kCountWords + j) / 4][(kCountWords + j) % 4]; }
 
 void readRecord(int row, int columns, int found) {
   int at = min(found >> 5, (columns - 1) >> 5);
-  for (int t = 0; t < kRecordTexels; ++t) record[t] = texelFetch(order, ivec2(row, at * kRecordTexels + t), 0);
+  recordAt = ivec2(row, at * kRecordTexels);
+  for (int t = kFirstPlaneTexel; t < kRecordTexels; ++t) record[t] = texelFetch(order, recordAt + ivec2(0, t), 0);
   recordOwn = lowBits(found - 32 * at);
 }
 
@@ -134,9 +138,11 @@ vec3 hiddenByParts(RowRay ray, Row row, int shift, int from, int to, int count) 
 // How many of the hiding columns lie in one block.
 int countOne(int block) {
   uint m = recordOwn;
-  for (int j = 0; j < kBlockBits; ++j) m &= planeWhere(recordWord(kCountWords + j), uint(block) >> uint(j));
-  uint word = recordWord(block * kCountBits >> 5);
-  return bitCount(m) + int(bitfieldExtract(word, block * kCountBits & 31, kCountBits));
+  for (int j = 0; j < kBlockBits; ++j) m &= planeWhere(blockPlane(j), uint(block) >> uint(j));
+  int bit = block * kCountBits;
+  uvec4 words = texelFetch(order, recordAt + ivec2(0, bit >> 7), 0);
+  uint word = words[(bit >> 5) & 3];
+  return bitCount(m) + int(bitfieldExtract(word, bit & 31, kCountBits));
 }
 
 // Goes along a row block by block, with what each weighs along the ray, relative to the transmittance at the row's start.
@@ -189,44 +195,29 @@ float nextWeight(inout Walk walk, RowRay ray, Slice s, float to) {
   return weight;
 }
 
-// Adds what block `BLOCK` weighs and hides, where the ray passes it wholly.
-#define TY_BLOCK(BLOCK, WHICH)                                                                                                        \
-  {                                                                                                                                   \
-    int count = bitCount(WHICH) + int(bitfieldExtract(recordWord((BLOCK) * kCountBits / 32), (BLOCK) * kCountBits % 32, kCountBits)); \
-    int to = ((BLOCK) + 1) << shift;                                                                                                  \
-    float weight = (BLOCK) < last ? nextWeight(walk, ray, row.s, float(to)) : 0.0;                                                    \
-    if (kShaped) {                                                                                                                    \
-      vec3 strength = meanStrength(row.index, min(to, columns) - 1);                                                                  \
-      lit_ += strength * weight;                                                                                                      \
-      hidden += strength * (weight * float(count));                                                                                   \
-    } else {                                                                                                                          \
-      hidden.x += weight * float(count);                                                                                              \
-    }                                                                                                                                 \
-    if ((BLOCK) < last) {                                                                                                             \
-      most = max(most, abs(weight - before));                                                                                         \
-      before = weight;                                                                                                                \
-    }                                                                                                                                 \
-    passed += weight;                                                                                                                 \
-  }
-#define TY_EIGHT_BLOCKS(GROUP)                                                                     \
-  if (8 * (GROUP) < kBlocks && 8 * (GROUP) < last) {                                               \
-    uint m = recordOwn;                                                                            \
-    for (int j = 3; j < kBlockBits; ++j) m &= planeWhere(recordWord(kCountWords + j), uint((GROUP) >> (j - 3))); \
-    uint p2 = recordWord(kCountWords + 2), p1 = recordWord(kCountWords + 1), p0 = recordWord(kCountWords); \
-    uint lower = m & ~p2, upper = m & p2;                                                          \
-    uint a = lower & ~p1, b = lower & p1, c = upper & ~p1, d = upper & p1;                         \
-    TY_BLOCK(8 * (GROUP), a & ~p0)                                                                 \
-    TY_BLOCK(8 * (GROUP) + 1, a & p0)                                                              \
-    TY_BLOCK(8 * (GROUP) + 2, b & ~p0)                                                             \
-    TY_BLOCK(8 * (GROUP) + 3, b & p0)                                                              \
-    TY_BLOCK(8 * (GROUP) + 4, c & ~p0)                                                             \
-    TY_BLOCK(8 * (GROUP) + 5, c & p0)                                                              \
-    TY_BLOCK(8 * (GROUP) + 6, d & ~p0)                                                             \
-    TY_BLOCK(8 * (GROUP) + 7, d & p0)                                                              \
+// Adds what block 8 * group + I weighs and hides, where the ray passes it wholly; `WHICH` are the record's own columns in it.
+#define TY_BLOCK(I, WHICH)                                                                                                      \
+  {                                                                                                                             \
+    int block = 8 * group + (I);                                                                                                \
+    int count = bitCount(WHICH) + int(bitfieldExtract(words[(I) * kCountBits / 32], (I) * kCountBits % 32, kCountBits));        \
+    int to = (block + 1) << shift;                                                                                              \
+    float weight = block < last ? nextWeight(walk, ray, row.s, float(to)) : 0.0;                                                \
+    if (kShaped) {                                                                                                              \
+      vec3 strength = meanStrength(row.index, min(to, columns) - 1);                                                            \
+      lit_ += strength * weight;                                                                                                \
+      hidden += strength * (weight * float(count));                                                                             \
+    } else {                                                                                                                    \
+      hidden.x += weight * float(count);                                                                                        \
+    }                                                                                                                           \
+    if (block < last) {                                                                                                         \
+      most = max(most, abs(weight - before));                                                                                   \
+      before = weight;                                                                                                          \
+    }                                                                                                                           \
+    passed += weight;                                                                                                           \
   }
 
 // Visible share of the columns of one row before the ray's end, by the ray's own weights, times the strength of their light rays.
-// Steps: 1 how many columns hide the ray, and the record of the last of them; 2 blocks that the ray passes wholly; 3 those of them whose weight
+// Steps: 1 how many columns hide the ray, and the record of the last of them; 2 blocks that the ray passes wholly; 3 those whose weight
 // changes much, again, part by part; 4 the block in which it ends; 5 the column in which it ends, by its part.
 vec3 rowVisibility(Row row, RowRay ray) {
   // 1
@@ -246,59 +237,72 @@ vec3 rowVisibility(Row row, RowRay ray) {
   float before = firstBefore(walk);  // weight of the block before
   float most = 0.0;                  // change from a block to the next
   float passed = 0.0;
-  // Written out: every word of the record is then at a place known to the compiler.
-  TY_EIGHT_BLOCKS(0)
-  TY_EIGHT_BLOCKS(1)
-  TY_EIGHT_BLOCKS(2)
-  TY_EIGHT_BLOCKS(3)
-  TY_EIGHT_BLOCKS(4)
-  TY_EIGHT_BLOCKS(5)
-  TY_EIGHT_BLOCKS(6)
-  TY_EIGHT_BLOCKS(7)
+  for (int group = 0; 8 * group < last; ++group) {
+    // 8 counts are half a texel, or a whole one where they are wide.
+    uvec4 words = texelFetch(order, recordAt + ivec2(0, kWideCounts ? group : group >> 1), 0);
+    if (!kWideCounts && (group & 1) != 0) words.xy = words.zw;
+    uint m = recordOwn;
+    for (int j = 3; j < kBlockBits; ++j) m &= planeWhere(blockPlane(j), uint(group >> (j - 3)));
+    uint p2 = blockPlane(2), p1 = blockPlane(1), p0 = blockPlane(0);
+    uint lower = m & ~p2, upper = m & p2;
+    uint a = lower & ~p1, b = lower & p1, c = upper & ~p1, d = upper & p1;
+    TY_BLOCK(0, a & ~p0)
+    TY_BLOCK(1, a & p0)
+    TY_BLOCK(2, b & ~p0)
+    TY_BLOCK(3, b & p0)
+    TY_BLOCK(4, c & ~p0)
+    TY_BLOCK(5, c & p0)
+    TY_BLOCK(6, d & ~p0)
+    TY_BLOCK(7, d & p0)
+  }
   hidden /= float(1 << shift);
   // 3
-  if (kByColumn || most > kMostChange * total) {
+  int lastFrom = last << shift;
+  int whole = min(int(end), columns);
+  float ofColumn = end > float(whole) ? ownWeight(ray, row.s, float(whole), end) : 0.0;
+  float ofLast = max(total - passed - ofColumn, 0.0);
+  int countOfLast = countOne(last);
+  // As much as its columns would weigh in the block before?
+  bool lastByParts = whole > lastFrom && countOfLast > 0 &&
+                     (kByColumn || abs(ofLast - before / float(1 << shift) * float(whole - lastFrom)) > kMostChange * total);
+  bool byParts = kByColumn || most > kMostChange * total;
+  if (byParts || lastByParts) {
     walk = startWalk(ray, row.s, float(1 << shift));
     before = firstBefore(walk);
-    for (int block = 0; block < last; ++block) {
-      int from = block << shift, to = from + (1 << shift);
+    for (int block = byParts ? 0 : last; block <= last; ++block) {
+      int from = block << shift, to = block < last ? from + (1 << shift) : whole;
       int count = countOne(block);
-      float weight = nextWeight(walk, ray, row.s, float(to));
-      if (count > 0 && count < 1 << shift && (kByColumn || abs(weight - before) > kMostChange * total))
-        hidden += hiddenByParts(ray, row, shift, from, to, count) - meanStrength(row.index, to - 1) * (weight * float(count) / float(1 << shift));
+      bool mixed = count > 0 && count < 1 << shift;
+      float weight = block < last ? nextWeight(walk, ray, row.s, float(to)) : 0.0;
+      bool changes = block < last ? mixed && (kByColumn || abs(weight - before) > kMostChange * total) : lastByParts;
+      if (changes) {
+        vec3 plain = block < last ? meanStrength(row.index, to - 1) * (weight * float(count) / float(1 << shift)) : vec3(0.0);
+        hidden += hiddenByParts(ray, row, shift, from, to, count) - plain;
+      }
       before = weight;
     }
   }
   // 4
-  int from = last << shift;
-  int whole = min(int(end), columns);
-  int count = countOne(last);
-  float ofColumn = end > float(whole) ? ownWeight(ray, row.s, float(whole), end) : 0.0;
-  float ofBlock = max(total - passed - ofColumn, 0.0);
-  uint which = hiddenColumns(row.index, shift, min(whole, columns - 1) & ~31, count);  // of the 32 columns round the end
+  uint which = hiddenColumns(row.index, shift, min(whole, columns - 1) & ~31, countOfLast);  // of the 32 columns round the end
   vec3 strength = vec3(1.0);
-  if (whole > from) {
+  if (whole > lastFrom) {
     if (kShaped) strength = meanStrength(row.index, whole - 1);
-    // As much as its columns would weigh in the block before?
-    float even = before / float(1 << shift) * float(whole - from);
-    if (kByColumn || (count > 0 && abs(ofBlock - even) > kMostChange * total)) {
-      hidden += hiddenByParts(ray, row, shift, from, whole, count);
-    } else {
-      int before_ = bitCount(which & lowBits(whole & 31) & ~lowBits(max(from - (whole & ~31), 0)));
+    lit_ += strength * ofLast;
+    if (!lastByParts) {
+      int hiding = bitCount(which & lowBits(whole & 31) & ~lowBits(max(lastFrom - (whole & ~31), 0)));
       if (whole == columns) {
-        before_ = count;
+        hiding = countOfLast;
       } else if (kPlaceBits > 5) {
-        for (int first = from; first < (whole & ~31); first += 32) before_ += bitCount(hiddenColumns(row.index, shift, first, count));
+        for (int first = lastFrom; first < (whole & ~31); first += 32) hiding += bitCount(hiddenColumns(row.index, shift, first, countOfLast));
       }
-      hidden += strength * (ofBlock * float(before_) / float(whole - from));
+      hidden += strength * (ofLast * float(hiding) / float(whole - lastFrom));
     }
-    lit_ += strength * ofBlock;
   }
   // 5
   vec3 own = vec3(1.0);
   if (kShaped && ofColumn > 0.0) {
     own = meanStrength(row.index, whole);
-    if (whole > from) own = max(own * float(whole - from + 1) - strength * float(whole - from), vec3(0.0));
+    if (whole > lastFrom) own = max(own * float(whole - lastFrom + 1) - strength * float(whole - lastFrom), vec3(0.0));
   }
   lit_ += own * ofColumn;
   hidden += own * ((which >> uint(whole & 31) & 1u) != 0u ? ofColumn : 0.0);
@@ -307,7 +311,12 @@ vec3 rowVisibility(Row row, RowRay ray) {
 }
 
 vec3 meanVisibility(RowRay ray) {
-  vec3 visible = rowVisibility(ray.a, ray);
-  if (kRowFilter != kRowNearest) visible = mix(rowVisibility(ray.b, ray), visible, ray.a.weight);
+  // One text for both rows: what it takes to compile is what it takes once.
+  vec3 visible = vec3(0.0);
+  for (int i = 0; i < (kRowFilter != kRowNearest ? 2 : 1); ++i) {
+    Row row = ray.a;
+    if (i == 1) row = ray.b;
+    visible += rowVisibility(row, ray) * (kRowFilter != kRowNearest ? (i == 1 ? 1.0 - ray.a.weight : ray.a.weight) : 1.0);
+  }
   return visible;
 }
