@@ -64,7 +64,7 @@ TEST_F(ShowTest, EachStepIsSeenAndSaid) {
   choose("l", folder_ / "p.json");
   ASSERT_TRUE(becomes("volumetrics.steps", "9")) << state()["message"];
   EXPECT_EQ(setting("view.exposure"), "0.2");
-  EXPECT_EQ(setting("volumetrics.columns"), "1024");
+  EXPECT_EQ(setting("volumetrics.columns"), "64") << "what it does not name stays";
   ASSERT_TRUE(stepIs(3));
   const image::ByteImage preset = lookAtPicture();
   EXPECT_LT(brightness(preset), brightness(marched) * 0.8);

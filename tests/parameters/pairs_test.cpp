@@ -125,7 +125,7 @@ const Pair kPairs[] = {
     {"exact", "prefix_scheme", Change::kNothing, "row", "block"},
     {"exact", "prefix_scheme", Change::kNothing, "row", "scan"},
     {"exact", "levels", Change::kNothing, "4", "6"},
-    {"exact", "reference_rays", Change::kNothing, "1", "3"},
+    {"exact", "reference_rays", Change::kNothing, "3", "6"},
     {"exact", "prefix_bounds", Change::kNothing, "false", "true"},
     {"exact", "precision", Change::kNothing, "standard", "full"},
     {"exact", "epipole_block", Change::kPicture, "0", "20", {}, 1},
