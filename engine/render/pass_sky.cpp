@@ -62,7 +62,6 @@ Result<void> addSkyPasses(Graph& graph, const PassTools& tools, const std::share
         }
         for (const auto& [layer, shown] : sky->drawn) sky->kept->layers[layer] = shown;
         sky->kept->drawn = true;
-        sky->kept->next = sky->next;
       });
   return {};
 }

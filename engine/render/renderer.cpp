@@ -141,8 +141,7 @@ Result<std::shared_ptr<FrameData>> Renderer::State::prepare(const Input& input) 
   const std::vector<std::byte> materials = materialBlocks(input.scene);
   frame->materialsHash = Hash().bytes(materials).value();
   const FrameSettings& settings = input.settings;
-  Result<std::shared_ptr<const SkyFrame>> sky =
-      skyMaps.plan(*frame, settings.skyStrength, input.reset || settings.adaptSeconds < 0);
+  Result<std::shared_ptr<const SkyFrame>> sky = skyMaps.plan(*frame, settings.skyStrength);
   if (!sky) return sky.error();
   frame->sky = sky.take();
   Result<std::vector<BlockRange>> ranges =

@@ -17,8 +17,6 @@ using shared::kSkyTexels;
 
 // Half side of the finest square, metres: with 512 texels a room's corners are sharp to 6 cm.
 constexpr double kFinest = 16;
-// Layers drawn a frame while the picture goes on; one costs about as much as a small shadow map.
-constexpr std::size_t kLayersAFrame = 2;
 // Texels that the filter and the receiver's offset read beyond a place.
 constexpr double kBorderTexels = 8;
 
@@ -88,7 +86,7 @@ glm::mat4 clipFromWorld(const shared::SkyMap& map) {
   return glm::transpose(glm::mat4(2.0f * map.u - one, 2.0f * map.v - one, map.depth, one));
 }
 
-Result<std::shared_ptr<const SkyFrame>> SkyMaps::plan(const FrameData& frame, float strength, bool settle) {
+Result<std::shared_ptr<const SkyFrame>> SkyMaps::plan(const FrameData& frame, float strength) {
   auto sky = std::make_shared<SkyFrame>();
   const std::vector<glm::vec3> directions = skyDirections();
   std::copy(directions.begin(), directions.end(), sky->block.directions);
@@ -117,17 +115,13 @@ Result<std::shared_ptr<const SkyFrame>> SkyMaps::plan(const FrameData& frame, fl
 
   std::vector<SkyLayer> shown = kept_->layers;
   const std::uint64_t content = casterContent(frame);
-  const std::size_t most = settle || !kept_->drawn ? count : kLayersAFrame;
-  sky->next = kept_->next;
-  for (std::uint32_t i = 0; i < count && sky->drawn.size() < most; ++i) {
-    const std::uint32_t layer = (kept_->next + i) % count;
+  for (std::uint32_t layer = 0; layer < count; ++layer) {
     const Square& square = all[layer / kSkyDirections];
     SkyLayer wanted{fitSkyMap(directions[layer % kSkyDirections], square.center, square.radius, casters), content};
     wanted.map.layer = layer;
     if (kept_->drawn && same(wanted, kept_->layers[layer])) continue;
     shown[layer] = wanted;
     sky->drawn.emplace_back(layer, wanted);
-    sky->next = (layer + 1) % count;
   }
   for (std::uint32_t i = 0; i < kSkyDirections * kSkyCascades; ++i) {
     const std::uint32_t cascade = std::min(i / kSkyDirections, count / kSkyDirections - 1);

@@ -31,7 +31,6 @@ struct KeptSky {
   gpu::Image image;  ///< R32F, in SHADER_READ_ONLY_OPTIMAL once drawn
   bool drawn = false;
   std::vector<SkyLayer> layers;
-  std::uint32_t next = 0;  ///< where the search for layers to draw goes on
 };
 
 /// The part of a frame.
@@ -39,15 +38,14 @@ struct SkyFrame {
   shared::SkyBlock block{};
   std::shared_ptr<KeptSky> kept;                          ///< null: nothing hides the sky
   std::vector<std::pair<std::uint32_t, SkyLayer>> drawn;  ///< layers to draw in this frame
-  std::uint32_t next = 0;
 };
 
 class SkyMaps {
  public:
   explicit SkyMaps(gpu::Device& device) : device_(device) {}
-  /// `settle`: every layer is what it should be in this frame; else some are drawn a frame, so that none takes long.
+  /// Every layer that is not what it should be is drawn in this frame: a picture at rest is the right one.
   /// frame.draws, view, resources and materialsHash must be set. Errors: lack of memory.
-  Result<std::shared_ptr<const SkyFrame>> plan(const FrameData& frame, float strength, bool settle);
+  Result<std::shared_ptr<const SkyFrame>> plan(const FrameData& frame, float strength);
   void clear() { kept_.reset(); }
 
  private:

@@ -113,8 +113,8 @@ class PluginEffect : public render::Effect {
   /// has no passes of its own.
   std::vector<std::uint64_t> lightMemoryBytes() const;
   /// Why the plugin is off or, when built in the background, still has the layout of earlier settings: a layout was
-  /// refused or could not be made (also logged, once). A changed setting or shader starts anew. Or that the newest frame
-  /// was drawn without it, since its prepare() returned false (logged once, until it succeeds).
+  /// refused or could not be made (also logged, once). A changed setting or shader starts anew. Or that the newest
+  /// frame was drawn without it, since its prepare() returned false (logged once, until it succeeds).
   const std::optional<Error>& failure() const;
 
   struct State;

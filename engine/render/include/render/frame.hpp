@@ -107,8 +107,7 @@ struct FrameSettings {
   float exposure = 1;         ///< linear factor before the tone map
   bool autoExposure = false;  ///< times a factor that suits the picture, which is measured in the frame itself
   bool meter = false;         ///< measure the picture, also where its exposure is not asked for (FrameOutput::metered)
-  /// How long the measured factor has had since the last frame. Below 0 it settles at once, and so do the sky's maps,
-  /// of which else few are drawn a frame after something has moved.
+  /// How long the measured factor has had since the last frame; below 0: it settles at once.
   float adaptSeconds = -1;
   float shownExposure = 1;  ///< factor of debug views that show radiance "times exposure"
   std::uint32_t shadowResolution = 2048;
