@@ -219,7 +219,7 @@ TEST_F(Render, TheNumbersOfAViewAreThoseOfItsImage) {
   EXPECT_EQ(view->values, scatter->values);
   // Two channels: a third of zeros, as an EXR of two has no names for them. Of a map's own size.
   const Outcome map =
-      tyndall(with(kSmall, {"--set", "volumetrics.technique=exact", "--set", "volumetrics.columns=64", "--set",
+      tyndall(with(kSmall, {"--set", "volumetrics.row_order=column", "--set", "volumetrics.columns=64", "--set",
                             "volumetrics.slices=128", "--debug-view", "prefix_min", "--view-exr", "m.exr"}));
   ASSERT_EQ(map.status, 0) << map.err;
   auto bounds = image::readExr(folder_ / "m.exr");

@@ -13,8 +13,8 @@ namespace tyndall::editor_test {
 using Json = nlohmann::json;
 
 inline const std::vector<std::string> kSettings = {
-    "--set", "volumetrics.columns=64", "--set", "volumetrics.slices=64",
-    "--set", "shadows.resolution=256", "--set", "volumetrics.technique=exact"};
+    "--set", "volumetrics.columns=64",      "--set", "volumetrics.slices=64",       "--set", "shadows.resolution=256",
+    "--set", "volumetrics.technique=exact", "--set", "volumetrics.row_order=column"};
 
 inline std::vector<double> numbers(const std::string& text) {
   std::istringstream stream(text);
