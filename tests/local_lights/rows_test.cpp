@@ -82,8 +82,11 @@ TEST_P(RowsAgainstTruth, StayWithinTheirMeasuredErrors) {
     return found;
   };
   EXPECT_LT(error("ray_march 512", {"volumetrics.technique=ray_march", "volumetrics.steps=512"}), c.march);
-  error("exact, K = 3", {"volumetrics.technique=exact", "volumetrics.reference_rays=3"});
-  EXPECT_LT(error("exact, K = 4", {"volumetrics.technique=exact", "volumetrics.reference_rays=4"}), c.exact);
+  const Settings matrix = {"volumetrics.technique=exact", "volumetrics.row_order=column"};
+  error("exact, K = 3", matrix + Settings{"volumetrics.reference_rays=3"});
+  EXPECT_LT(error("exact, K = 4", matrix + Settings{"volumetrics.reference_rays=4"}), c.exact);
+  // Slats before a cookie: strength and visibility of a block's columns go together, which its counts do not know.
+  EXPECT_LT(error("exact by depth", {"volumetrics.technique=exact"}), 1.5 * c.exact);
   EXPECT_LT(error("fourier 32",
                   {"volumetrics.technique=fourier", "volumetrics.basis_count=32", "volumetrics.reference_rays=3"}),
             c.fourier);
