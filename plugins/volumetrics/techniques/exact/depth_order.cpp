@@ -88,7 +88,7 @@ void addBuild(const LayoutContext& context, LayoutBuilder& builder, const Rectif
   const std::uint32_t groups = (stage.slices + 31) / 32;
   const std::uint64_t words =
       shape.elements() + (1u << shape.binBits) + 1 + shape.countWords() + shape.elements() / 32 * shape.placeBits();
-  const std::uint32_t scratch = builder.buffer("scratch", onStack ? 4 : 4 * words * groups * 32);
+  const std::uint32_t scratch = builder.buffer("order scratch", onStack ? 4 : 4 * words * groups * 32);
   for (std::uint32_t first = 0; first < shape.elements(); first += kColumnsAPass) {
     ComputePass pass{"build", "order_build.comp", bindings, groups, 1, 1, kEachLight, shape.constants()};
     pass.bindings.push_back(bufferAt(9, scratch, TY_ACCESS_STORAGE_WRITE));

@@ -237,8 +237,15 @@ void addTunable(const LayoutContext& context, LayoutBuilder& builder) {
 
 void layout(const LayoutContext& context, LayoutBuilder& builder) {
   if (static_cast<RowOrder>(context.settings.row_order) == RowOrder::kDepth) {
-    addRowLayout(context, builder, addDepthOrder);
-    addDepthOrderTunable(context, builder);
+    // Strength and visibility of a cookie's columns go together, which counts of blocks do not know: nRMSE 0.040
+    // against 0.008 for a sun through a cookie and a roof of bars.
+    addRowLayout(context, builder, [](const LayoutContext& c, LayoutBuilder& b, const LightClass& lights, bool add) {
+      (lights.coloured ? addClass : addDepthOrder)(c, b, lights, add);
+    });
+    if (context.sunCookies + context.localCookies > 0)
+      addTunable(context, builder);
+    else
+      addDepthOrderTunable(context, builder);
     return;
   }
   addRowLayout(context, builder, addClass);
