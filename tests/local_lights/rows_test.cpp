@@ -85,8 +85,10 @@ TEST_P(RowsAgainstTruth, StayWithinTheirMeasuredErrors) {
   const Settings matrix = {"volumetrics.technique=exact", "volumetrics.row_order=column"};
   error("exact, K = 3", matrix + Settings{"volumetrics.reference_rays=3"});
   EXPECT_LT(error("exact, K = 4", matrix + Settings{"volumetrics.reference_rays=4"}), c.exact);
-  // Slats before a cookie: strength and visibility of a block's columns go together, which its counts do not know.
-  EXPECT_LT(error("exact by depth", {"volumetrics.technique=exact"}), 1.5 * c.exact);
+  // Rows of lights with a cookie are kept as the matrix whatever the order.
+  if (!c.lamp.cookie) {
+    EXPECT_LT(error("exact by depth", {"volumetrics.technique=exact"}), c.exact);
+  }
   EXPECT_LT(error("fourier 32",
                   {"volumetrics.technique=fourier", "volumetrics.basis_count=32", "volumetrics.reference_rays=3"}),
             c.fourier);
