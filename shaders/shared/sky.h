@@ -20,9 +20,9 @@ struct SkyMap {
 };
 
 struct SkyBlock {
-  vec3 directions[kSkyDirections];              // unit, towards the sky, of equal solid angle
-  SkyMap maps[kSkyDirections * kSkyCascades];   // finest first, kSkyDirections each; the last covers the level
-  float strength;                               // factor on all of the sky's light on surfaces
+  vec3 directions[kSkyDirections];             // unit, towards the sky, of equal solid angle
+  SkyMap maps[kSkyDirections * kSkyCascades];  // finest first, kSkyDirections each; the last covers the level
+  float strength;                              // factor on all of the sky's light on surfaces
 };
 
 TY_SHARED_END
